@@ -1,0 +1,36 @@
+// Files in and out. The format follows the extension, in any letter case.
+#pragma once
+
+#include <string>
+
+#include "arris/context.h"
+#include "arris/error.h"
+#include "arris/types.h"
+
+namespace arris {
+
+// Reads points from .ply (ascii, binary little and big endian), .xyz .txt .csv .pts .asc, .off or
+// .obj (vertices). Positions are doubles, other scalar vertex properties become attributes, list
+// properties and faces are left behind (see PointCloud::warnings). Coordinates may be non-finite
+// here; reconstruct decides. Errors: unreadable, unsupported, bad_points (no points at all),
+// out_of_memory (the header declares more than memory_limit), cancelled.
+Result<PointCloud> read_points(const std::string& path, const Context& context = {});
+
+// Reads a polygon mesh from .ply .off .obj .stl, polygons cut into fans. Identical STL corners are
+// joined. Errors as read_points.
+Result<Mesh> read_mesh(const std::string& path, const Context& context = {});
+
+// Writes .ply (binary, little endian), .obj, .off or .stl, to a temporary file beside `path` that
+// is renamed at the end: on failure `path` is as it was. Coordinates are written so that reading
+// gives the same doubles back; .stl is binary when every coordinate is a float32 value and ascii
+// with 17 digits otherwise. Errors: unsupported, unwritable, cancelled.
+Result<void> write_mesh(const std::string& path, const Mesh& mesh, const Context& context = {});
+
+// Writes .msh (Gmsh 2.2 ascii) or .vtk (legacy ascii). Errors as write_mesh.
+Result<void> write_tetrahedra(const std::string& path, const TetVolume& volume,
+                              const Context& context = {});
+
+// Writes text, by the same temporary-and-rename. Errors as write_mesh.
+Result<void> write_text(const std::string& path, const std::string& text);
+
+}  // namespace arris

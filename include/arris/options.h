@@ -1,0 +1,43 @@
+// What to compute. Every number is dimensionless: lengths are in units of the local sample spacing.
+#pragma once
+
+#include <cstdint>
+
+namespace arris {
+
+// `automatic`: Delaunay of the samples alone, one cut, swaps with polyhedral curvature.
+// `paper`: the setting of Shi, Wan, Tai, Wang (SSVM 2011): background points, three cuts with the
+// curvature of the last surface, swaps with cotangent curvature.
+enum class Method : std::uint8_t { automatic, paper };
+
+// How the swap stage measures curvature: eq. 7-10 of the paper, or length x |pi - dihedral| / 2.
+enum class Curvature : std::uint8_t { by_method, cotangent, polyhedral };
+
+// What to do with points whose coordinates are NaN or infinite.
+enum class NonFinite : std::uint8_t { refuse, drop };
+
+struct Options {
+  Method method = Method::automatic;
+
+  // Weight of curvature against distance in eq. 3, in units of spacing squared. >= 0.
+  double lambda = 0.1;
+
+  // Cuts in the loop of eq. 6; 0 means the default of the method. 1 to 100.
+  int cycles = 0;
+
+  // Background points per sample (paper, section 3); negative means the default of the method
+  // (0 for automatic, 10 for paper). At most 1000.
+  double background = -1;
+
+  Curvature curvature = Curvature::by_method;
+
+  // Run the local swaps of section 4.
+  bool swap = true;
+
+  // Also return the interior tetrahedra.
+  bool tetrahedra = false;
+
+  NonFinite non_finite = NonFinite::refuse;
+};
+
+}  // namespace arris

@@ -1,0 +1,34 @@
+// The one call that does the whole job.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "arris/context.h"
+#include "arris/error.h"
+#include "arris/options.h"
+#include "arris/report.h"
+#include "arris/types.h"
+
+namespace arris {
+
+struct Reconstruction {
+  Mesh mesh;                        // certified: see Report::certificate
+  TetVolume volume;                 // empty unless Options::tetrahedra
+  std::vector<float> confidence;    // per mesh vertex, [0, 1]: share of agreeing seed evidence
+  Report report;
+};
+
+// Positions in, certified mesh out. The mesh is the boundary of a union of Delaunay tetrahedra of
+// the distinct points. The result does not depend on the number of threads, nor on the order of
+// the points except for which duplicate gives its attributes (the first).
+// Errors: usage, bad_points, degenerate, no_surface, certificate, out_of_memory, cancelled.
+// Complexity: O(n log n) time and about 1.2 kB a point for points near a surface.
+Result<Reconstruction> reconstruct(const PointCloud& cloud, const Options& options = {},
+                                   const Context& context = {});
+
+// Bytes that reconstruct will need at most for `points` points with these options: measured, then
+// rounded up; see docs/architecture.md.
+std::size_t forecast_memory(std::size_t points, const Options& options = {});
+
+}  // namespace arris

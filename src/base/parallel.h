@@ -1,0 +1,28 @@
+// Static-range parallelism: the split of the work depends on its size alone, never on the number
+// of threads, so whatever a chunk computes is the same for every thread count.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace arris {
+
+// Threads to use for a request of `threads` (0: one per processor). At least 1.
+unsigned resolve_threads(unsigned threads) noexcept;
+
+// Calls body(begin, end) for consecutive chunks of [0, n) of `grain` elements, on up to `threads`
+// threads, the calling one included. Chunks must not write to shared state. An exception of a body
+// is rethrown here after all threads have stopped.
+void parallel_chunks(std::size_t n, std::size_t grain, unsigned threads,
+                     const std::function<void(std::size_t, std::size_t)>& body);
+
+// body(i) for every i in [0, n).
+template <class Body>
+void parallel_for(std::size_t n, unsigned threads, Body&& body) {
+  constexpr std::size_t grain = 8192;  // large enough that handing out a chunk costs nothing
+  parallel_chunks(n, grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
+
+}  // namespace arris

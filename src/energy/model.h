@@ -1,0 +1,21 @@
+// The energy E(Γ) = ∫_Γ (d + λ|κ|) ds of the paper (eq. 3), made dimensionless: every length is
+// measured in units of the local sample spacing h, so λ means the same at every scale.
+#pragma once
+
+#include <vector>
+
+#include "arris/options.h"
+#include "arris/types.h"
+
+namespace arris {
+
+// The parameters of E that every stage shares. A facet f of area S and mean distance d costs
+// d S / h_f^3, h_f the mean spacing of its three vertices; an edge of length l and exterior angle
+// β costs λ (l β / 2) / h_e, h_e the mean spacing of its two; cotangent curvature alike.
+struct EnergyModel {
+  double lambda = 0.1;                            // in units of h^2
+  Curvature curvature = Curvature::polyhedral;    // never by_method here
+  std::vector<double> spacing;                    // h > 0 at every point of the TetMesh
+};
+
+}  // namespace arris

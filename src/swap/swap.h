@@ -1,0 +1,36 @@
+// Local minimization of E by flipping tetrahedra between inside and outside (paper, section 4,
+// algorithm 1).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/job.h"
+#include "energy/model.h"
+#include "tetra/tet_mesh.h"
+
+namespace arris {
+
+struct SwapOptions {
+  // Refuse flips that take a sample off the surface.
+  bool keep_samples = true;
+  // Tetrahedra that must keep their label (1), or empty. Infinite ones always keep theirs.
+  std::vector<std::uint8_t> frozen;
+};
+
+struct SwapResult {
+  std::vector<double> energy;   // E before the first round and after each; never increases
+  std::uint64_t accepted = 0;   // moves
+  std::uint64_t flipped = 0;    // tetrahedra, counted once per flip
+};
+
+// E of the whole boundary of the labels, from scratch.
+double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels);
+
+// Changes `labels` until no single flip nor any of the group moves lowers E. On entry the boundary
+// must be a 2-manifold; it stays one, with the same topology, after every accepted move.
+// Deterministic. Throws Failure(cancelled).
+SwapResult swap_tetrahedra(const TetMesh& mesh, const EnergyModel& model,
+                           const SwapOptions& options, Labels& labels, Job& job);
+
+}  // namespace arris
