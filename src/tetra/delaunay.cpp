@@ -25,10 +25,13 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
 using CellBase =
     CGAL::Triangulation_cell_base_with_info_3<Tet, Kernel,
                                               CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Engine = CGAL::Delaunay_triangulation_3<
-    Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Engine =
+    CGAL::Delaunay_triangulation_3<Kernel,
+                                   CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
-Kernel::Point_3 to_engine(Vec3 p) { return {p.x, p.y, p.z}; }
+Kernel::Point_3 to_engine(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
 
 // Points as the engine reads them, without a copy.
 struct PointMap {

@@ -19,8 +19,8 @@ constexpr double orient2d_error = 2 * 3.33066907387547e-16;
 constexpr double smallest_safe = 1e-280;
 
 int exact_orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
-  return static_cast<int>(CGAL::orientation(Kernel::Point_2(ax, ay), Kernel::Point_2(bx, by),
-                                            Kernel::Point_2(cx, cy)));
+  return static_cast<int>(
+      CGAL::orientation(Kernel::Point_2(ax, ay), Kernel::Point_2(bx, by), Kernel::Point_2(cx, cy)));
 }
 
 }  // namespace
