@@ -62,7 +62,7 @@ LocalFrame choose_frame(const std::vector<Vec3>& positions, const std::vector<In
        std::abs(0.5 * low.z - 0.5 * frame.shift.z), std::abs(0.5 * high.z - 0.5 * frame.shift.z)});
   if (extent > 0) {
     // Clamped so that scale itself and 1/scale stay normal numbers.
-    const int exponent = std::clamp(-std::ilogb(extent) - 1, -1021, 1021);
+    const int exponent = std::clamp(-std::ilogb(extent) - 2, -1021, 1021);
     frame.scale = std::ldexp(1.0, exponent);
   }
   return frame;
