@@ -9,6 +9,11 @@
 namespace arris {
 namespace {
 
+// Balls larger than this many spacings reach well away from the sampling noise of the surface, so
+// their label is firm; the cut may overrule that of smaller ones. Three spacings, the thinnest wall
+// to be kept, have balls of 1.5.
+constexpr double firm_radius = 1.5;
+
 // A vote by number: 4 t + i for the facet, 4 * finite + v for the poles of sample v.
 struct Ballot {
   const TetMesh& mesh;
@@ -92,9 +97,12 @@ Seeds find_seeds(const TetMesh& mesh, const Stars& stars, const std::vector<Circ
   seeds.contradiction = all > 0 ? refused / all : 0;
   const auto outside = forest.find(static_cast<std::uint32_t>(mesh.finite));
   seeds.label.resize(mesh.finite);
+  seeds.firm.resize(mesh.finite);
   for (std::size_t t = 0; t < mesh.finite; ++t) {
+    seeds.firm[t] =
+        balls[t].radius > firm_radius * mean_spacing(mesh, spacing, static_cast<Tet>(t));
     const auto root = forest.find(static_cast<std::uint32_t>(t));
-    seeds.label[t] = root.node != outside.node           ? seed_none
+    seeds.label[t] = root.node != outside.node           ? seed_free
                      : root.opposite != outside.opposite ? seed_inside
                                                          : seed_outside;
   }

@@ -12,12 +12,17 @@
 
 namespace arris {
 
-enum : std::uint8_t { seed_outside = 0, seed_inside = 1, seed_none = 2 };
+// What is known of a tetrahedron before the cut.
+using Seed = std::uint8_t;
+inline constexpr Seed seed_outside = 0;
+inline constexpr Seed seed_inside = 1;
+inline constexpr Seed seed_free = 2;
 
 struct Seeds {
-  std::vector<std::uint8_t> label;  // per finite tetrahedron: one of the three above
-  double contradiction = 0;         // share of vote strength refused, in [0, 1]
-  std::vector<float> confidence;    // per sample: share of vote strength round it that agrees
+  std::vector<Seed> label;         // per finite tetrahedron; seed_free where no vote reached
+  std::vector<std::uint8_t> firm;  // 1: the cut must keep the label; 0: it may overrule it
+  double contradiction = 0;        // share of vote strength refused, in [0, 1]
+  std::vector<float> confidence;   // per sample: share of vote strength round it that agrees
 };
 
 // Takes the votes strongest first into a union-find with parity (a maximum spanning forest of the

@@ -57,9 +57,8 @@ class Collector {
 
  private:
   bool votes_at_all(Tet t) const {
-    double spacing = 0;
-    for (Index v : mesh_.vertices[t]) spacing += spacing_[v] / 4;
-    return std::isfinite(balls_[t].radius) && balls_[t].radius > smallest_voting_radius * spacing;
+    return std::isfinite(balls_[t].radius) &&
+           balls_[t].radius > smallest_voting_radius * mean_spacing(mesh_, spacing_, t);
   }
 
   Vote facet_vote(Tet t, std::size_t i) const {

@@ -128,8 +128,8 @@ TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job) {
   mesh.points = std::move(points);
   const std::vector<Engine::Cell_handle> cells =
       number_cells(engine, mesh.points.size(), mesh.finite);
-  if (cells.size() >= no_tet)
-    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit indices can name",
+  if (cells.size() >= most_tets)
+    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
                   "use fewer points, or split the cloud");
   copy_cells(engine, cells, job.threads(), mesh);
   return mesh;

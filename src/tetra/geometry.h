@@ -23,4 +23,10 @@ std::vector<Circumball> circumballs(const TetMesh& mesh, unsigned threads);
 // edge, then the median of that over the point and the ends of those edges. > 0.
 std::vector<double> sample_spacing(const TetMesh& mesh, const Stars& stars, unsigned threads);
 
+// Mean of the spacing at the four vertices of a finite tetrahedron.
+inline double mean_spacing(const TetMesh& mesh, const std::vector<double>& spacing, Tet t) {
+  const auto& v = mesh.vertices[t];
+  return (spacing[v[0]] + spacing[v[1]] + spacing[v[2]] + spacing[v[3]]) / 4;
+}
+
 }  // namespace arris

@@ -13,6 +13,8 @@ namespace arris {
 
 using Tet = std::uint32_t;  // index of a tetrahedron: the one place to widen it
 inline constexpr Tet no_tet = 0xFFFFFFFFu;
+// Facets are numbered 4 t + i in 32 bits too: about 150 million points near a surface.
+inline constexpr std::size_t most_tets = 0x38000000u;
 
 // The vertex at infinity, that closes the hull: a facet of the hull is shared with an infinite
 // tetrahedron whose fourth vertex this is.
