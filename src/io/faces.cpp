@@ -40,7 +40,9 @@ void FaceBuilder::end() {
   ++next_face_;
 }
 
-std::string FaceBuilder::where() const { return where(next_face_, line_); }
+std::string FaceBuilder::where() const {
+  return where(next_face_, line_);
+}
 
 void FaceBuilder::check(std::uint64_t vertices) const {
   if (triangles_.empty() || highest_ < vertices) return;

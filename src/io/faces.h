@@ -35,11 +35,11 @@ class FaceBuilder {
   const Source& source_;
   std::vector<Triangle>& triangles_;
   std::vector<Index> corners_;
-  std::uint64_t limit_;         // triangles that fit in memory
+  std::uint64_t limit_;  // triangles that fit in memory
   std::uint64_t next_face_ = 0;
   std::size_t line_ = 0;
   Index base_;
-  Index highest_ = 0;           // vertex index so far, and where
+  Index highest_ = 0;  // vertex index so far, and where
   std::uint64_t highest_face_ = 0;
   std::size_t highest_line_ = 0;
 };

@@ -34,15 +34,17 @@ FileReader::FileReader(const std::string& path) : path_(path) {
   size_ = static_cast<std::uint64_t>(info.st_size);
 }
 
-FileReader::~FileReader() { close(descriptor_); }
+FileReader::~FileReader() {
+  close(descriptor_);
+}
 
 std::string_view FileReader::load(Job& job) {
   constexpr std::uint64_t piece = std::uint64_t{8} << 20;  // bytes between two looks at `cancel`
   if (size_ > memory_limit(job.context()))
-    throw Failure(ErrorCode::out_of_memory,
-                  "'" + path_ + "': its " + std::to_string(size_) +
-                      " bytes are more than the memory limit",
-                  "use a smaller file, or raise the memory limit");
+    throw Failure(
+        ErrorCode::out_of_memory,
+        "'" + path_ + "': its " + std::to_string(size_) + " bytes are more than the memory limit",
+        "use a smaller file, or raise the memory limit");
   bytes_.reset(new char[size_]);  // left uninitialised: it is filled at once
   std::uint64_t have = 0;
   while (have < size_) {
@@ -59,11 +61,10 @@ std::string_view FileReader::load(Job& job) {
 void FileReader::fail_with_errno(const std::string& what) const {
   const int error = errno;
   const char* remedy = error == ENOENT || error == ENOTDIR ? "check the path"
-                       : error == EACCES ? "ask for the permission to read it"
+                       : error == EACCES                   ? "ask for the permission to read it"
                                          : "check the path and the medium it is on";
   throw Failure(ErrorCode::unreadable,
-                "'" + path_ + "': " + what + ": " + std::generic_category().message(error),
-                remedy);
+                "'" + path_ + "': " + what + ": " + std::generic_category().message(error), remedy);
 }
 
 std::string extension_of(const std::string& path) {

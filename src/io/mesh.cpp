@@ -45,9 +45,8 @@ void write(const std::string& path, const Context& context, Writer writer, const
   job.stage("write", 1);
   AtomicFile file(path);
   writer(file, data, job);
-  job.tick(1);  // the last chance to be cancelled
+  job.finish();  // the last chance to be cancelled
   file.commit();
-  job.finish();
 }
 
 }  // namespace

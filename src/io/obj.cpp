@@ -59,7 +59,8 @@ class ObjReader {
   void take_vertex(std::string_view rest, std::uint64_t lines) {
     if (shape_.positions.empty()) {
       constexpr std::uint64_t shortest = 7;  // bytes of a vertex: "v 0 0 0"
-      const std::uint64_t most = std::min<std::uint64_t>(lines, source_.bytes.size() / shortest + 1);
+      const std::uint64_t most =
+          std::min<std::uint64_t>(lines, source_.bytes.size() / shortest + 1);
       require_memory(source_, "vertices", most, sizeof(Vec3));
     }
     std::array<double, 7> numbers{};
@@ -135,9 +136,8 @@ class ObjReader {
   }
 
   static bool are_255ths(const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(), [](double v) {
-      return v >= 0 && v <= 1 && v == std::round(v * 255) / 255;
-    });
+    return std::all_of(values.begin(), values.end(),
+                       [](double v) { return v >= 0 && v <= 1 && v == std::round(v * 255) / 255; });
   }
 
   const Source& source_;
@@ -153,6 +153,8 @@ class ObjReader {
 
 }  // namespace
 
-Shape read_obj(const Source& source, Want want) { return ObjReader(source, want).read(); }
+Shape read_obj(const Source& source, Want want) {
+  return ObjReader(source, want).read();
+}
 
 }  // namespace arris

@@ -84,14 +84,11 @@ class OffReader {
   void read_vertices() {
     for (std::uint64_t v = 0; v < vertices_; ++v) {
       if (v % rows_between_ticks == 0) source_.job.tick(lines_.fraction());
-      const std::string what = "vertex " + std::to_string(v) + " of " + std::to_string(vertices_);
-      if (!lines_.next_content()) malformed(source_, what, "file ends early", remedy_incomplete);
-      read_row(what);
-      if (v == 0) start_vertices(what);
-      if (row_.size() != 3 + shape_.attributes.size())
-        malformed(source_, at_line(lines_.number()) + ", " + what,
-                  "has " + std::to_string(row_.size()) + " numbers where " +
-                      std::to_string(3 + shape_.attributes.size()) + " are expected");
+      if (!lines_.next_content())
+        malformed(source_, current_vertex(), "file ends early", remedy_incomplete);
+      read_row();
+      if (v == 0) start_vertices();
+      if (row_.size() != 3 + shape_.attributes.size()) fail_width(3 + shape_.attributes.size());
       shape_.positions.push_back({row_[0], row_[1], row_[2]});
       for (std::size_t k = 3; k < row_.size(); ++k)
         shape_.attributes[k - 3].values.push_back(row_[k]);
@@ -99,31 +96,37 @@ class OffReader {
     type_colours(shape_.attributes);
   }
 
-  void read_row(const std::string& what) {
+  std::string current_vertex() const {
+    return "vertex " + std::to_string(shape_.positions.size()) + " of " + std::to_string(vertices_);
+  }
+
+  [[noreturn]] void fail_width(std::size_t expected) const {
+    malformed(source_, at_line(lines_.number()) + ", " + current_vertex(),
+              "has " + std::to_string(row_.size()) + " numbers where " + std::to_string(expected) +
+                  " are expected");
+  }
+
+  void read_row() {
     row_.clear();
     std::string_view rest = lines_.line();
     for (std::string_view text = next_field(rest); !text.empty(); text = next_field(rest)) {
       row_.push_back(0);
       if (!parse_number(text, row_.back()))
-        need_number(source_, at_line(lines_.number()) + ", " + what, text);
+        need_number(source_, at_line(lines_.number()) + ", " + current_vertex(), text);
     }
   }
 
   // Names the columns by the keyword and the first vertex, whose colour may have an alpha.
-  void start_vertices(const std::string& what) {
+  void start_vertices() {
     std::vector<std::string> names;
     if (normals_) names.insert(names.end(), {"nx", "ny", "nz"});
     if (colours_) names.insert(names.end(), {"red", "green", "blue"});
-    if (colours_ && row_.size() == 4 + names.size() + (texture_ ? 2 : 0))
-      names.push_back("alpha");
+    if (colours_ && row_.size() == 4 + names.size() + (texture_ ? 2 : 0)) names.push_back("alpha");
     if (texture_) names.insert(names.end(), {"s", "t"});
     constexpr std::size_t most_columns = 1024;  // more are garbage
-    if (row_.size() < 3 + names.size() || row_.size() > most_columns)
-      malformed(source_, at_line(lines_.number()) + ", " + what,
-                "has " + std::to_string(row_.size()) + " numbers where " +
-                    std::to_string(3 + names.size()) + " are expected");
-    for (std::size_t k = 3 + names.size(); k < row_.size(); ++k)
-      names.push_back("c" + std::to_string(k));
+    if (row_.size() < 3 + names.size() || row_.size() > most_columns) fail_width(3 + names.size());
+    for (std::size_t k = 3 + names.size(); k < row_.size(); ++k) names.push_back(column_name(k));
+    require_room("further vertices", vertices_ - 1, 2 * row_.size());  // "0 0 0\n"
     require_memory(source_, "vertices", vertices_, sizeof(double) * row_.size());
     shape_.positions.reserve(vertices_);
     for (const std::string& name : names) {
@@ -170,6 +173,8 @@ class OffReader {
 
 }  // namespace
 
-Shape read_off(const Source& source, Want want) { return OffReader(source).read(want); }
+Shape read_off(const Source& source, Want want) {
+  return OffReader(source).read(want);
+}
 
 }  // namespace arris

@@ -17,8 +17,8 @@ std::uint64_t checked_list_size(const Body& body, const Source& source, double c
   if (!(count >= 0) || count != std::floor(count))
     malformed(source, body.where(), "has a list with a negative or broken count");
   if (count > static_cast<double>(body.row_remaining()))
-    malformed(source, body.where(), "has a list of " + format_number(count) +
-                                        " entries, more than the file holds",
+    malformed(source, body.where(),
+              "has a list of " + format_number(count) + " entries, more than the file holds",
               remedy_incomplete);
   return static_cast<std::uint64_t>(count);
 }
@@ -42,14 +42,21 @@ bool fits(double value) noexcept {
 
 bool fits_integer(double value, ScalarType type) noexcept {
   switch (type) {
-    case ScalarType::i8: return fits<std::int8_t>(value);
-    case ScalarType::u8: return fits<std::uint8_t>(value);
-    case ScalarType::i16: return fits<std::int16_t>(value);
-    case ScalarType::u16: return fits<std::uint16_t>(value);
-    case ScalarType::i32: return fits<std::int32_t>(value);
-    case ScalarType::u32: return fits<std::uint32_t>(value);
+    case ScalarType::i8:
+      return fits<std::int8_t>(value);
+    case ScalarType::u8:
+      return fits<std::uint8_t>(value);
+    case ScalarType::i16:
+      return fits<std::int16_t>(value);
+    case ScalarType::u16:
+      return fits<std::uint16_t>(value);
+    case ScalarType::i32:
+      return fits<std::int32_t>(value);
+    case ScalarType::u32:
+      return fits<std::uint32_t>(value);
     case ScalarType::f32:
-    case ScalarType::f64: return true;
+    case ScalarType::f64:
+      return true;
   }
   return true;
 }
@@ -59,9 +66,8 @@ double as_float(double value) noexcept {
   constexpr double greatest = std::numeric_limits<float>::max();
   constexpr double halfway = 0x1.ffffffp+127;  // from here on, rounding goes to infinity
   if (std::isfinite(value) && std::fabs(value) > greatest)
-    return std::copysign(std::fabs(value) < halfway ? greatest
-                                                    : std::numeric_limits<double>::infinity(),
-                         value);
+    return std::copysign(
+        std::fabs(value) < halfway ? greatest : std::numeric_limits<double>::infinity(), value);
   return static_cast<double>(static_cast<float>(value));
 }
 
@@ -75,8 +81,7 @@ void BinaryBody::require(const PlyElement& element) const {
   const std::uint64_t each = element.binary_bytes();
   if (each == 0 || element.count <= remaining() / each) return;
   const std::uint64_t room = remaining() / each;
-  const std::string where =
-      element.has_list() ? "element " + element.name : ply_row(element, room);
+  const std::string where = element.has_list() ? "element " + element.name : ply_row(element, room);
   malformed(source_, where,
             element.has_list() ? "file ends early, " + std::to_string(element.count) +
                                      " are declared and at most " + std::to_string(room) + " fit"
@@ -95,14 +100,22 @@ void BinaryBody::skip_element(const PlyElement& element) {
 
 double BinaryBody::scalar(ScalarType type) {
   switch (type) {
-    case ScalarType::i8: return static_cast<double>(load<std::int8_t>());
-    case ScalarType::u8: return static_cast<double>(load<std::uint8_t>());
-    case ScalarType::i16: return static_cast<double>(load<std::int16_t>());
-    case ScalarType::u16: return static_cast<double>(load<std::uint16_t>());
-    case ScalarType::i32: return static_cast<double>(load<std::int32_t>());
-    case ScalarType::u32: return static_cast<double>(load<std::uint32_t>());
-    case ScalarType::f32: return static_cast<double>(load<float>());
-    case ScalarType::f64: return load<double>();
+    case ScalarType::i8:
+      return static_cast<double>(load<std::int8_t>());
+    case ScalarType::u8:
+      return static_cast<double>(load<std::uint8_t>());
+    case ScalarType::i16:
+      return static_cast<double>(load<std::int16_t>());
+    case ScalarType::u16:
+      return static_cast<double>(load<std::uint16_t>());
+    case ScalarType::i32:
+      return static_cast<double>(load<std::int32_t>());
+    case ScalarType::u32:
+      return static_cast<double>(load<std::uint32_t>());
+    case ScalarType::f32:
+      return static_cast<double>(load<float>());
+    case ScalarType::f64:
+      return load<double>();
   }
   return 0;
 }
@@ -188,7 +201,9 @@ void AsciiBody::skip(ScalarType, std::uint64_t count) {
   for (std::uint64_t k = 0; k < count; ++k) field();
 }
 
-std::string AsciiBody::where() const { return at_line(line()) + ", " + ply_row(*element_, row_); }
+std::string AsciiBody::where() const {
+  return at_line(line()) + ", " + ply_row(*element_, row_);
+}
 
 std::string_view AsciiBody::field() {
   const std::string_view text = next_field(rest_);

@@ -34,8 +34,8 @@ enum class PlyFormat { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyFormat format = PlyFormat::ascii;
   std::vector<PlyElement> elements;
-  std::size_t lines = 0;       // of the header
-  std::string_view body;       // the bytes after it
+  std::size_t lines = 0;  // of the header
+  std::string_view body;  // the bytes after it
 };
 
 std::size_t bytes_of(ScalarType type) noexcept;

@@ -13,11 +13,11 @@ std::optional<ScalarType> type_named(std::string_view name) noexcept {
     ScalarType type;
   };
   static constexpr Name names[] = {
-      {"char", ScalarType::i8},    {"int8", ScalarType::i8},      {"uchar", ScalarType::u8},
-      {"uint8", ScalarType::u8},   {"short", ScalarType::i16},    {"int16", ScalarType::i16},
-      {"ushort", ScalarType::u16}, {"uint16", ScalarType::u16},   {"int", ScalarType::i32},
-      {"int32", ScalarType::i32},  {"uint", ScalarType::u32},     {"uint32", ScalarType::u32},
-      {"float", ScalarType::f32},  {"float32", ScalarType::f32},  {"double", ScalarType::f64},
+      {"char", ScalarType::i8},    {"int8", ScalarType::i8},     {"uchar", ScalarType::u8},
+      {"uint8", ScalarType::u8},   {"short", ScalarType::i16},   {"int16", ScalarType::i16},
+      {"ushort", ScalarType::u16}, {"uint16", ScalarType::u16},  {"int", ScalarType::i32},
+      {"int32", ScalarType::i32},  {"uint", ScalarType::u32},    {"uint32", ScalarType::u32},
+      {"float", ScalarType::f32},  {"float32", ScalarType::f32}, {"double", ScalarType::f64},
       {"float64", ScalarType::f64}};
   for (const Name& n : names)
     if (name == n.text) return n.type;
@@ -142,31 +142,45 @@ std::uint64_t PlyElement::binary_bytes() const noexcept {
 std::size_t bytes_of(ScalarType type) noexcept {
   switch (type) {
     case ScalarType::i8:
-    case ScalarType::u8: return 1;
+    case ScalarType::u8:
+      return 1;
     case ScalarType::i16:
-    case ScalarType::u16: return 2;
+    case ScalarType::u16:
+      return 2;
     case ScalarType::i32:
     case ScalarType::u32:
-    case ScalarType::f32: return 4;
-    case ScalarType::f64: return 8;
+    case ScalarType::f32:
+      return 4;
+    case ScalarType::f64:
+      return 8;
   }
   return 8;
 }
 
 const char* ply_name(ScalarType type) noexcept {
   switch (type) {
-    case ScalarType::i8: return "char";
-    case ScalarType::u8: return "uchar";
-    case ScalarType::i16: return "short";
-    case ScalarType::u16: return "ushort";
-    case ScalarType::i32: return "int";
-    case ScalarType::u32: return "uint";
-    case ScalarType::f32: return "float";
-    case ScalarType::f64: return "double";
+    case ScalarType::i8:
+      return "char";
+    case ScalarType::u8:
+      return "uchar";
+    case ScalarType::i16:
+      return "short";
+    case ScalarType::u16:
+      return "ushort";
+    case ScalarType::i32:
+      return "int";
+    case ScalarType::u32:
+      return "uint";
+    case ScalarType::f32:
+      return "float";
+    case ScalarType::f64:
+      return "double";
   }
   return "double";
 }
 
-PlyHeader parse_ply_header(const Source& source) { return HeaderParser(source).parse(); }
+PlyHeader parse_ply_header(const Source& source) {
+  return HeaderParser(source).parse();
+}
 
 }  // namespace arris

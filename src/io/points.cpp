@@ -29,10 +29,10 @@ Result<PointCloud> read_points(const std::string& path, const Context& context) 
     FileReader file(path);
     const std::string extension = extension_of(path);
     if (!known(extension))
-      throw Failure(ErrorCode::unsupported,
-                    "'" + path + "': points are not read from files with the extension '" +
-                        extension + "'",
-                    "use .ply .xyz .txt .asc .csv .pts .off or .obj");
+      throw Failure(
+          ErrorCode::unsupported,
+          "'" + path + "': points are not read from files with the extension '" + extension + "'",
+          "use .ply .xyz .txt .asc .csv .pts .off or .obj");
     const Source source{path, file.load(job), job};
     job.stage("parse", 0.8);
     Shape shape = parse(source, extension);

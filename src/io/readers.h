@@ -1,4 +1,5 @@
-// The readers, one per format. Each parses bytes in memory, so that tests and fuzzers need no files.
+// The readers, one per format. Each parses bytes in memory, so that tests and fuzzers need no
+// files.
 #pragma once
 
 #include <string>

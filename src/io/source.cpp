@@ -9,7 +9,8 @@ namespace arris {
 
 void fail(const Source& source, ErrorCode code, const std::string& where, const std::string& what,
           const std::string& remedy) {
-  std::string message = "'" + std::string(source.name) + "': ";
+  std::string message(1, '\'');
+  message.append(source.name).append("': ");
   if (!where.empty()) message += where + ": ";
   throw Failure(code, message + what, remedy);
 }
@@ -19,14 +20,17 @@ void malformed(const Source& source, const std::string& where, const std::string
   fail(source, ErrorCode::unreadable, where, what, remedy);
 }
 
-std::string at_line(std::size_t line) { return "line " + std::to_string(line); }
+std::string at_line(std::size_t line) {
+  return "line " + std::to_string(line);
+}
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string out = "'";
+  std::string out(1, '\'');
   for (const char c : text.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';
   if (text.size() > longest) out += "...";
-  return out + "'";
+  out += '\'';
+  return out;
 }
 
 std::uint64_t memory_limit(const Context& context) {

@@ -24,8 +24,7 @@ inline constexpr const char* remedy_malformed = "correct that place or export th
 [[noreturn]] void fail(const Source& source, ErrorCode code, const std::string& where,
                        const std::string& what, const std::string& remedy);
 // fail() with ErrorCode::unreadable.
-[[noreturn]] void malformed(const Source& source, const std::string& where,
-                            const std::string& what,
+[[noreturn]] void malformed(const Source& source, const std::string& where, const std::string& what,
                             const std::string& remedy = remedy_malformed);
 
 // "line 12".

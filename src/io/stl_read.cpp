@@ -16,7 +16,8 @@ constexpr std::size_t triangle_bytes = 50;  // normal, three corners, two bytes 
 // Numbers corners by their coordinates, in order of first appearance: open addressing.
 class CornerJoiner {
  public:
-  explicit CornerJoiner(std::vector<Vec3>& positions) : positions_(positions), table_(64, no_index) {}
+  explicit CornerJoiner(std::vector<Vec3>& positions)
+      : positions_(positions), table_(64, no_index) {}
 
   Index join(const Source& source, Vec3 p) {
     if (2 * positions_.size() >= table_.size()) grow(source);
@@ -67,7 +68,9 @@ std::uint32_t little_u32(const char* bytes) {
   return value;
 }
 
-std::uint64_t binary_count(const Source& source) { return little_u32(source.bytes.data() + 80); }
+std::uint64_t binary_count(const Source& source) {
+  return little_u32(source.bytes.data() + 80);
+}
 
 bool has_binary_size(const Source& source) {
   return source.bytes.size() >= header_bytes &&
@@ -81,8 +84,8 @@ Shape read_binary(const Source& source) {
     malformed(source, "triangle " + std::to_string(room) + " of " + std::to_string(count),
               "file ends early", remedy_incomplete);
   if (!has_binary_size(source))
-    malformed(source, "", "goes on after the " + std::to_string(count) +
-                              " triangles that its header declares");
+    malformed(source, "",
+              "goes on after the " + std::to_string(count) + " triangles that its header declares");
   require_memory(source, "triangles", count, sizeof(Triangle));
   Shape shape;
   shape.position_type = ScalarType::f32;

@@ -30,7 +30,7 @@ std::vector<std::string> parse_names(std::string_view line, Separator separator)
   for (std::string_view field; fields.next(field);) {
     const bool in_quotes = field.size() > 1 && field.front() == '"' && field.back() == '"';
     names.emplace_back(in_quotes ? field.substr(1, field.size() - 2) : field);
-    if (names.back().empty()) names.back() = "c" + std::to_string(names.size() - 1);
+    if (names.back().empty()) names.back() = column_name(names.size() - 1);
   }
   return names;
 }
@@ -47,10 +47,15 @@ bool find_positions(const std::vector<std::string>& names, std::array<std::size_
   return found == std::array<std::size_t, 3>{1, 1, 1};
 }
 
+std::string column_name(std::size_t column) {
+  std::string name = "c";
+  return name.append(std::to_string(column));
+}
+
 Columns unnamed_columns(std::size_t count) {
   Columns columns;
   columns.names = {"x", "y", "z"};
-  for (std::size_t k = 3; k < count; ++k) columns.names.push_back("c" + std::to_string(k));
+  for (std::size_t k = 3; k < count; ++k) columns.names.push_back(column_name(k));
   return columns;
 }
 

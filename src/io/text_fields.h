@@ -40,6 +40,8 @@ struct Columns {
 std::vector<std::string> parse_names(std::string_view line, Separator separator);
 // Finds columns x, y and z in any letter case; false if one is missing or there twice.
 bool find_positions(const std::vector<std::string>& names, std::array<std::size_t, 3>& position);
+// "c7": the name of column 7 (from 0) of a file that names it not.
+std::string column_name(std::size_t column);
 // x, y, z, then c3, c4, ... for a file that names nothing.
 Columns unnamed_columns(std::size_t count);
 

@@ -13,7 +13,9 @@ namespace {
 constexpr std::size_t lines_between_ticks = 4096;
 constexpr std::size_t most_columns = 1024;  // more are garbage
 
-bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with("//"); }
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("//");
+}
 
 class TextReader {
  public:
@@ -50,8 +52,7 @@ class TextReader {
     constexpr std::uint64_t shortest = 6;  // bytes of a point: "0 0 0\n"
     if (count > (lines_.remaining() + 1) / shortest)
       malformed(source_, at_line(lines_.number()),
-                "file ends early, " + std::to_string(count) +
-                    " points are declared and at most " +
+                "file ends early, " + std::to_string(count) + " points are declared and at most " +
                     std::to_string((lines_.remaining() + 1) / shortest) + " fit",
                 remedy_incomplete);
     declared_ = declared_.value_or(0) + count;
@@ -146,8 +147,8 @@ class TextReader {
     if (parse_number(field, value)) return value;
     const auto& xyz = columns_.position;
     if (field.empty() && std::find(xyz.begin(), xyz.end(), column) == xyz.end()) return value;
-    return need_number(source_,
-                       at_line(lines_.number()) + ", column " + std::to_string(column + 1), field);
+    return need_number(source_, at_line(lines_.number()) + ", column " + std::to_string(column + 1),
+                       field);
   }
 
   [[noreturn]] void fail_count() const {
@@ -172,6 +173,8 @@ class TextReader {
 
 }  // namespace
 
-Shape read_text(const Source& source, TextKind kind) { return TextReader(source, kind).read(); }
+Shape read_text(const Source& source, TextKind kind) {
+  return TextReader(source, kind).read();
+}
 
 }  // namespace arris

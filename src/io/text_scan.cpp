@@ -8,7 +8,9 @@
 namespace arris {
 namespace {
 
-bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
+bool is_digit(char c) noexcept {
+  return c >= '0' && c <= '9';
+}
 
 // Whether the decimal number `text` (no sign, known to be out of the range of double) is huge
 // rather than tiny: the sign of the decimal exponent of its first non-zero digit.
@@ -68,8 +70,8 @@ double LineScanner::fraction() const noexcept {
 }
 
 std::uint64_t LineScanner::count_remaining() const noexcept {
-  const auto breaks = std::count(text_.begin() + static_cast<std::ptrdiff_t>(offset_), text_.end(),
-                                 end_);
+  const auto breaks =
+      std::count(text_.begin() + static_cast<std::ptrdiff_t>(offset_), text_.end(), end_);
   return static_cast<std::uint64_t>(breaks) + 1;
 }
 
