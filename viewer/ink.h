@@ -18,6 +18,12 @@ class Ink {
   // A stroke from a to b, `pen` pixels wide; a dot if a == b. What lies outside is left out.
   void stroke(Pixel a, Pixel b, double pen);
 
+  // Does a pen held at `at` touch the paper?
+  bool touches(Pixel at, double pen) const {
+    const double reach = pen / 2 + 0.5;
+    return at.x > -reach && at.y > -reach && at.x < width_ + reach && at.y < height_ + reach;
+  }
+
   // Lays the ink over the part of the image whose upper left corner is (x, y).
   void lay(Image& image, int x, int y, Colour colour) const;
 

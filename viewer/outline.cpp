@@ -76,8 +76,9 @@ void draw_visible(const Line& line, const RayScene& scene, const Camera& camera,
   const int pieces = std::max(1, static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y))));
   const auto along = [&](double t) { return line.a + (t / pieces) * (line.b - line.a); };
   const auto hidden = [&](int piece) {
-    const Vec3 to_line = along(piece + 0.5) - camera.eye();
-    return scene.blocked({camera.eye(), normalized(to_line)}, length(to_line) - depth_tolerance);
+    const Vec3 middle = along(piece + 0.5), to_line = middle - camera.eye();
+    return !ink.touches(camera.project(middle), pen + 1) ||
+           scene.blocked({camera.eye(), normalized(to_line)}, length(to_line) - depth_tolerance);
   };
   // Runs of visible pieces are one stroke.
   for (int begin = 0; begin < pieces; ++begin) {

@@ -25,16 +25,20 @@ constexpr int caption_height = 32;                     // pixels
 
 constexpr double largest_picture = 1 << 28;  // pixels
 
-bool is_finite(Vec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+// Beyond these, in either direction, squares of lengths leave the range of doubles.
+constexpr double largest_coordinate = 1e150, smallest_radius = 1e-150;
+
+bool in_range(Vec3 p) {
+  const auto is = [](double c) { return std::abs(c) <= largest_coordinate; };  // not if it is NaN
+  return is(p.x) && is(p.y) && is(p.z);
 }
 
 std::optional<Error> defect(const Panel& panel) {
   if (panel.mesh.triangles.empty() && panel.points.empty())
     return Error{ErrorCode::bad_points, "there is nothing to draw", "give a mesh or points"};
   for (const std::vector<Vec3>* points : {&panel.mesh.vertices, &panel.points})
-    if (!std::all_of(points->begin(), points->end(), is_finite))
-      return Error{ErrorCode::bad_points, "a coordinate is not a finite number",
+    if (!std::all_of(points->begin(), points->end(), in_range))
+      return Error{ErrorCode::bad_points, "a coordinate is not a finite number, or beyond 1e150",
                    "remove such points first"};
   for (const Triangle& t : panel.mesh.triangles)
     for (const Index v : t)
@@ -86,10 +90,9 @@ class BoundingBox {
     for (const Vec3 p : panel.points) add(p);
   }
   Frame frame() const {
-    // Halved first: the sum may overflow.
-    const Vec3 centre = 0.5 * low_ + 0.5 * high_;
+    const Vec3 centre = 0.5 * (low_ + high_);
     const double radius = length(high_ - centre);
-    return {centre, radius > 0 ? radius : 1};
+    return {centre, radius > smallest_radius ? radius : 1};
   }
 
  private:
@@ -97,10 +100,18 @@ class BoundingBox {
   Vec3 low_ = {infinity, infinity, infinity}, high_ = {-infinity, -infinity, -infinity};
 };
 
-std::vector<Vec3> scaled(const std::vector<Vec3>& points, const Frame& frame) {
+// Turns the model so that its up axis becomes z.
+Vec3 upright(Vec3 p, Up up) {
+  if (up == Up::x) return {p.y, p.z, p.x};
+  if (up == Up::y) return {p.x, -p.z, p.y};
+  return p;
+}
+
+std::vector<Vec3> framed(const std::vector<Vec3>& points, const Frame& frame, Up up) {
   std::vector<Vec3> result;
   result.reserve(points.size());
-  for (const Vec3 p : points) result.push_back((1 / frame.radius) * (p - frame.centre));
+  for (const Vec3 p : points)
+    result.push_back(upright((1 / frame.radius) * (p - frame.centre), up));
   return result;
 }
 
@@ -165,8 +176,8 @@ Image draw(const std::vector<Panel>& panels, const View& view) {
     BoundingBox own;
     own.add(panel);
     const Frame frame = (view.common_frame ? all : own).frame();
-    models.push_back(
-        {scaled(panel.mesh.vertices, frame), panel.mesh.triangles, scaled(panel.points, frame), 0});
+    models.push_back({framed(panel.mesh.vertices, frame, view.up), panel.mesh.triangles,
+                      framed(panel.points, frame, view.up), 0});
     const std::vector<Vec3> points = shown_points(models.back());
     if (view.common_frame) shown.insert(shown.end(), points.begin(), points.end());
   }

@@ -18,12 +18,16 @@ struct Panel {
   std::string caption;  // printable ASCII; anything else appears as question marks
 };
 
+enum class Up { x, y, z };
+
 struct View {
   int width = 640, height = 480;  // pixels of each panel without its caption, 16 to 16384
-  double azimuth = 30;            // degrees: 0 looks along +y, more from further to the right
-  double elevation = 25;          // degrees above the horizon, -90 to 90; z is up
-  double zoom = 1;                // 1 fits the model into the panel, > 0
-  double edge_angle = 30;     // degrees: edges that turn by more are drawn, 0 to 180 (180: none)
+  Up up = Up::z;                  // the axis of the model that points up
+  double azimuth = 30;    // degrees round it: larger looks from further to the right; 0 looks along
+                          // +y (up z), -z (up y) or +z (up x)
+  double elevation = 25;  // degrees above the horizon, -90 to 90
+  double zoom = 1;        // 1 fits the model into the panel, > 0
+  double edge_angle = 30;     // degrees, 0 to 180: edges that turn by more are drawn, and contours
   bool wireframe = false;     // draw all edges
   double point_size = 4;      // pixels across
   int columns = 0;            // panels a row; 0: all in one row
@@ -32,8 +36,9 @@ struct View {
 };
 
 // Draws every panel with the same view. Errors: usage (no panels, a number out of range, a picture
-// of more than 2^28 pixels), bad_points (nothing to draw, or coordinates that are not finite),
-// unreadable (a triangle with a corner that names no vertex), out_of_memory, internal.
+// of more than 2^28 pixels), bad_points (nothing to draw, or coordinates that are not finite or
+// beyond 1e150), unreadable (a triangle with a corner that names no vertex), out_of_memory,
+// internal.
 Result<Image> render(const std::vector<Panel>& panels, const View& view);
 
 }  // namespace arris::viewer
