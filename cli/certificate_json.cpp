@@ -21,7 +21,8 @@ std::string json_text(const std::string& text) {
       out += escape.data();
     }
   }
-  return out + '"';
+  out += '"';
+  return out;
 }
 
 std::string json_number(double value) {
@@ -33,7 +34,8 @@ std::string json_number(double value) {
 void print_certificate_json(const Certificate& c) {
   std::string out = "{";
   const auto field = [&](const char* key, const std::string& value) {
-    out += (out.size() > 1 ? ",\n  " : "\n  ") + quoted(key) + ": " + value;
+    out += out.size() > 1 ? ",\n  \"" : "\n  \"";
+    out.append(key).append("\": ").append(value);
   };
   const auto flag = [&](const char* key, bool value) { field(key, value ? "true" : "false"); };
   const auto number = [&](const char* key, std::uint64_t n) { field(key, std::to_string(n)); };

@@ -40,10 +40,10 @@ Result<void> write_outputs(const Arguments& arguments, const Reconstruction& res
 }
 
 int run(const Arguments& arguments) {
-  const Result<void> outputs =
-      check_outputs(arguments.input, {{"mesh", arguments.mesh, {".ply", ".obj", ".off", ".stl"}},
-                                      {"tets", arguments.tetrahedra, {".msh", ".vtk"}},
-                                      {"report", arguments.report, {}}});
+  const Result<void> outputs = check_outputs(
+      arguments.input, {{"the mesh", arguments.mesh, {".ply", ".obj", ".off", ".stl"}},
+                        {"the volume", arguments.tetrahedra, {".msh", ".vtk"}},
+                        {"the report", arguments.report, {}}});
   if (!outputs) return report_error(outputs.error());
 
   Progress progress(progress_style(arguments.run));

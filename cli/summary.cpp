@@ -17,16 +17,18 @@ void count(const char* label, std::uint64_t value) {
 
 void energies(const char* label, const std::vector<double>& values) {
   std::string list;
-  for (const double value : values) list += (list.empty() ? "" : " ") + short_number(value);
+  for (const double value : values)
+    list.append(list.empty() ? "" : " ").append(short_number(value));
   if (!list.empty()) line(label, list);
 }
 
 // The numbers of dropped and merged points, if any.
 std::string left_out(const Report& report) {
   std::string text;
-  if (report.duplicate_points > 0) text += ", " + counted(report.duplicate_points, "duplicate");
+  if (report.duplicate_points > 0)
+    text.append(", ").append(counted(report.duplicate_points, "duplicate"));
   if (report.non_finite_points > 0)
-    text += ", " + with_commas(report.non_finite_points) + " non-finite";
+    text.append(", ").append(with_commas(report.non_finite_points)).append(" non-finite");
   return text;
 }
 
@@ -85,7 +87,7 @@ void print_certificate(const std::string& path, const Certificate& c) {
   line("volume", short_number(c.volume));
   line("area", short_number(c.area));
   const auto promise = [](const char* label, bool kept, const std::string& defects) {
-    line(label, kept ? "yes" : "NO: " + defects);
+    line(label, kept ? "yes" : std::string("NO: ").append(defects));
   };
   promise("closed", c.closed(),
           c.triangles == 0 ? "no triangles" : counted(c.boundary_edges, "boundary edge"));

@@ -57,7 +57,8 @@ std::string exact_number(double value) {
 }
 
 std::string quoted(const std::string& text) {
-  return '"' + text + '"';
+  std::string out(1, '\'');
+  return out.append(text).append("'");
 }
 
 }  // namespace arris::cli

@@ -12,6 +12,6 @@ std::string human_bytes(std::uint64_t bytes);                // 3670016 -> "3.5 
 std::string human_seconds(double seconds);                   // 0.25 -> "0.25 s", 75 -> "1:15 min"
 std::string short_number(double value);                      // up to 6 significant digits
 std::string exact_number(double value);                      // shortest text that reads back equal
-std::string quoted(const std::string& text);                 // in double quotes, for messages
+std::string quoted(const std::string& text);                 // in single quotes, for messages
 
 }  // namespace arris::cli
