@@ -1,8 +1,70 @@
 # The doors of the project. Everything else is CMake's.
+#
+#   make            the release: build/arris
+#   make demo       reconstruct a real scan, and draw it
+#   make test       install what is needed, build and run every test
+#   make sanitize   the test suite under ASan and UBSan (clang)
+#   make tsan       the tests of threads under TSan (clang)
+#   make fuzz       every fuzz target for FUZZ_SECONDS seconds (clang)
+#   make format     apply clang-format; make format-check only looks
+#   make tidy       clang-tidy on the library and the command
 BUILD ?= build
 JOBS ?= $(shell nproc)
+FUZZ_SECONDS ?= 5
+# Tests that run more than one thread, for TSan; by name.
+TSAN_TESTS ?= [Pp]arallel|[Tt]hread
 
-.PHONY: all
+# Checks of the standard library's own stay on under the sanitizers; CGAL's slow ones do not.
+SANITIZE_FLAGS = -O1 -g1 -DNDEBUG -D_GLIBCXX_ASSERTIONS
+CLANG = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Sanitize \
+  -DCMAKE_CXX_FLAGS_SANITIZE="$(SANITIZE_FLAGS)"
+# ccache makes a second build cheap where it is installed.
+CCACHE := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+CONFIGURE = cmake -S . -G Ninja $(CCACHE)
+SOURCES = $(shell find include src cli tests bench viewer examples \
+  \( -name '*.cpp' -o -name '*.h' -o -name '*.cu' \) 2>/dev/null | sort)
+TIDY_SOURCES ?= $(shell find src cli -name '*.cpp' | sort)
+
+.PHONY: all demo test dependencies sanitize tsan fuzz format format-check tidy
+
 all:
-	cmake -S . -B $(BUILD) -G Ninja
+	$(CONFIGURE) -B $(BUILD)
+	cmake --build $(BUILD) -j $(JOBS) --target arris arris_cli
+
+demo: all
+	scripts/demo.sh $(BUILD)
+
+dependencies:
+	scripts/install-deps.sh
+
+test: dependencies
+	$(CONFIGURE) -B $(BUILD) -DARRIS_BUILD_TESTS=ON
 	cmake --build $(BUILD) -j $(JOBS)
+	ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure
+
+sanitize: dependencies
+	$(CONFIGURE) -B build-asan $(CLANG) -DARRIS_BUILD_TESTS=ON -DARRIS_SANITIZE=address,undefined
+	cmake --build build-asan -j $(JOBS)
+	ctest --test-dir build-asan -j $(JOBS) --output-on-failure
+
+# setarch -R: the thread sanitizer of clang 14 needs a fixed memory layout on recent kernels.
+tsan: dependencies
+	$(CONFIGURE) -B build-tsan $(CLANG) -DARRIS_BUILD_TESTS=ON -DARRIS_SANITIZE=thread
+	cmake --build build-tsan -j $(JOBS)
+	setarch -R ctest --test-dir build-tsan -j $(JOBS) --output-on-failure -R '$(TSAN_TESTS)'
+
+fuzz: dependencies
+	$(CONFIGURE) -B build-fuzz $(CLANG) -DARRIS_BUILD_FUZZ=ON
+	cmake --build build-fuzz -j $(JOBS)
+	tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
+
+format:
+	clang-format -i $(SOURCES)
+
+format-check:
+	clang-format --dry-run --Werror $(SOURCES)
+
+# Against the compilation database of $(BUILD); system headers are not looked into.
+tidy:
+	$(CONFIGURE) -B $(BUILD) >/dev/null
+	printf '%s\n' $(TIDY_SOURCES) | xargs -P $(JOBS) -n 1 clang-tidy --quiet -p $(BUILD)

@@ -1,0 +1,35 @@
+# Run by ctest: cmake -D... -P install_test.cmake. Any step that fails fails the test.
+function(step)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT result EQUAL 0)
+    string(REPLACE ";" " " command "${ARGV}")
+    message(FATAL_ERROR "${command}\nended with ${result}:\n${out}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+set(prefix ${WORK}/prefix)
+step(${CMAKE_COMMAND} --install ${ARRIS_BINARY} --prefix ${prefix})
+
+set(flags "")
+if(SANITIZE)
+  set(flags "-DCMAKE_EXE_LINKER_FLAGS=-fsanitize=${SANITIZE}")
+endif()
+step(${CMAKE_COMMAND} -S ${ARRIS_SOURCE}/examples/minimal -B ${WORK}/build -G ${GENERATOR}
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix} ${flags})
+step(${CMAKE_COMMAND} --build ${WORK}/build)
+
+# The corners and face centres of a cube, and the mesh that the installed command calls certified.
+set(points "")
+foreach(x -1 0 1)
+  foreach(y -1 0 1)
+    foreach(z -1 0 1)
+      if(NOT "${x}${y}${z}" STREQUAL "000")
+        string(APPEND points "${x} ${y} ${z}\n")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+file(WRITE ${WORK}/cube.xyz "${points}")
+step(${WORK}/build/minimal ${WORK}/cube.xyz ${WORK}/cube.ply)
+step(${prefix}/bin/arris check --quiet ${WORK}/cube.ply)
