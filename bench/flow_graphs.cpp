@@ -17,7 +17,7 @@ using Random = std::mt19937_64;
 
 // Relative to the local spacing: noise as of a good scanner; balls that must lie off the surface.
 constexpr double noise_in_spacings = 0.25;
-constexpr double seed_radius_in_spacings = 1.5;
+constexpr double seed_radius_in_spacings = 1.5, sparse_seed_radius_in_spacings = 8;
 constexpr double outlier_share = 0.01;
 constexpr double wrong_seed_share = 0.03;
 constexpr double wrong_preference_share = 0.2;
@@ -120,6 +120,8 @@ Vec3 circumcentre(const TetMesh& mesh, Tet t) {
 
 void set_terminals(const Scene& scene, double spacing, Random& random, SceneCut& cut) {
   const TetMesh& mesh = cut.mesh;
+  const double seed_radius = scene.terminals == Terminals::hard ? seed_radius_in_spacings
+                                                                : sparse_seed_radius_in_spacings;
   cut.problem.seed.assign(mesh.size(), seed_outside);
   if (scene.terminals == Terminals::soft) cut.problem.preference.assign(mesh.size(), 0);
   for (Tet t = 0; t < mesh.finite; ++t) {
@@ -133,7 +135,7 @@ void set_terminals(const Scene& scene, double spacing, Random& random, SceneCut&
       const auto preference = static_cast<std::int64_t>(size);
       cut.problem.preference[t] =
           (luck < wrong_preference_share) != inside ? preference : -preference;
-    } else if (radius > seed_radius_in_spacings) {
+    } else if (radius > seed_radius) {
       cut.problem.seed[t] = (luck < wrong_seed_share) != inside ? seed_inside : seed_outside;
     }
   }
@@ -161,7 +163,7 @@ void set_capacities(double spacing, unsigned threads, SceneCut& cut) {
 std::string name(const Scene& scene) {
   static constexpr const char* shapes[] = {"sphere", "torus", "plate"};
   static constexpr const char* flaws[] = {"clean", "noise", "outliers"};
-  static constexpr const char* terminals[] = {"hard", "soft"};
+  static constexpr const char* terminals[] = {"hard", "sparse", "soft"};
   return std::string(shapes[static_cast<int>(scene.shape)]) + "/" +
          flaws[static_cast<int>(scene.flaw)] + "/" + terminals[static_cast<int>(scene.terminals)];
 }

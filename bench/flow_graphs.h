@@ -9,9 +9,9 @@ namespace arris {
 
 enum class Shape { bumpy_sphere, torus, box_with_holes };
 enum class Flaw { none, noise, outliers };
-// hard: tetrahedra well above the spacing are seeds. soft: only the infinite ones are, and all
-// others have a noisy preference.
-enum class Terminals { hard, soft };
+// hard: tetrahedra above the spacing are seeds. sparse: only those far above it, so more are free.
+// soft: only the infinite ones are, and all others have a noisy preference.
+enum class Terminals { hard, sparse, soft };
 
 struct Scene {
   Shape shape = Shape::bumpy_sphere;

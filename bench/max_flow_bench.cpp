@@ -1,11 +1,13 @@
 // Times the maximum-flow algorithms on dual graphs of tetrahedra.
-//   max_flow_bench [samples]          made scenes, contracted (default 10000 samples each)
-//   max_flow_bench --graph file...    graphs that dump_flow_graph wrote
-//   max_flow_bench --dump dir samples writes the made graphs
+//   max_flow_bench [samples [part]]           made scenes, contracted, of which the name contains
+//                                             `part`; 10000 samples each if not said
+//   max_flow_bench --graph file...            graphs that dump_flow_graph wrote
+//   max_flow_bench --dump dir samples [part]  writes the made graphs
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <string>
 
@@ -37,11 +39,12 @@ bool compare(const std::string& name, const FlowGraph& graph, Job& job) {
   for (const Algorithm& algorithm : algorithms) {
     std::array<double, 3> seconds{};
     MinCut cut;
+    if (std::getenv("ONLY") && !std::strstr(std::getenv("ONLY"), algorithm.name)) continue;
     for (double& s : seconds) {
       FlowGraph copy = graph;
-      const auto start = std::chrono::steady_clock::now();
+      const std::clock_t start = std::clock();
       cut = algorithm.solve(std::move(copy), job);
-      s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     }
     std::sort(seconds.begin(), seconds.end());
     if (first.source_side.empty()) first = cut;
@@ -58,7 +61,7 @@ bool compare(const std::string& name, const FlowGraph& graph, Job& job) {
 
 std::vector<Scene> scenes() {
   std::vector<Scene> all;
-  for (const Terminals terminals : {Terminals::hard, Terminals::soft})
+  for (const Terminals terminals : {Terminals::hard, Terminals::sparse, Terminals::soft})
     for (const Shape shape : {Shape::bumpy_sphere, Shape::torus, Shape::box_with_holes})
       for (const Flaw flaw : {Flaw::none, Flaw::noise, Flaw::outliers})
         all.push_back({shape, flaw, terminals});
@@ -74,9 +77,12 @@ bool run(int argc, char** argv) {
     for (int k = 2; k < argc; ++k) good = compare(argv[k], load_flow_graph(argv[k]), job) && good;
     return good;
   }
-  const bool dump = argc == 4 && std::strcmp(argv[1], "--dump") == 0;
-  const std::string count = dump ? argv[3] : argc > 1 ? argv[1] : "10000";
+  const bool dump = argc > 3 && std::strcmp(argv[1], "--dump") == 0;
+  const int first = dump ? 3 : 1;  // of the arguments both have
+  const std::string count = argc > first ? argv[first] : "10000";
+  const std::string only = argc > first + 1 ? argv[first + 1] : "";
   for (const Scene& scene : scenes()) {
+    if (name(scene).find(only) == std::string::npos) continue;
     const SceneCut cut = make_scene(scene, std::stoul(count), job);
     const ContractedCut contracted = contract(cut.mesh, cut.problem, job);
     std::string label = name(scene) + "/" + count;
