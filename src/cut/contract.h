@@ -7,15 +7,10 @@
 
 #include "base/job.h"
 #include "cut/max_flow.h"
+#include "seed/seeds.h"
 #include "tetra/tet_mesh.h"
 
 namespace arris {
-
-// What is known of a tetrahedron before the cut.
-using Seed = std::uint8_t;
-inline constexpr Seed seed_outside = 0;
-inline constexpr Seed seed_inside = 1;
-inline constexpr Seed seed_free = 2;
 
 // A labelling of the tetrahedra costs, summed over all of them,
 //   capacity[t][i]  for each t inside whose neighbour i is outside,
@@ -23,9 +18,9 @@ inline constexpr Seed seed_free = 2;
 //  -preference[t]   for each t inside, where it is negative,
 // and must agree with every seed. Capacities lie in [0, max_arc_capacity].
 struct CutProblem {
-  std::vector<Seed> seed;                            // per tetrahedron
-  std::vector<std::array<std::int32_t, 4>> capacity; // per tetrahedron and facet
-  std::vector<std::int64_t> preference;              // per tetrahedron, or empty: none has any
+  std::vector<Seed> seed;                             // per tetrahedron
+  std::vector<std::array<std::int32_t, 4>> capacity;  // per tetrahedron and facet
+  std::vector<std::int64_t> preference;               // per tetrahedron, or empty: none has any
 };
 
 // The problem without the tetrahedra whose label is known: an arc to one of them is a terminal, an

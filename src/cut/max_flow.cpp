@@ -22,7 +22,10 @@ class IncrementalBfs {
   MinCut solve();
 
  private:
-  template <int Side> static constexpr std::size_t index() { return Side > 0 ? 0 : 1; }
+  template <int Side>
+  static constexpr std::size_t index() {
+    return Side > 0 ? 0 : 1;
+  }
   // Residual of the arc that carries flow from v to its neighbour i, seen away from the root.
   template <int Side>
   std::int32_t outward(std::uint32_t v, unsigned i) {
@@ -32,13 +35,20 @@ class IncrementalBfs {
   std::int32_t inward(std::uint32_t v, unsigned i) {
     return outward<-Side>(v, i);
   }
-  template <int Side> void grow();
-  template <int Side> void scan(std::uint32_t v);
-  template <int Side> void adopt();
-  template <int Side> void adopt(std::uint32_t v);
-  template <int Side> void orphan(std::uint32_t v);
-  template <int Side> std::int64_t path_capacity(std::uint32_t v);
-  template <int Side> void push_path(std::uint32_t v, std::int32_t amount);
+  template <int Side>
+  void grow();
+  template <int Side>
+  void scan(std::uint32_t v);
+  template <int Side>
+  void adopt();
+  template <int Side>
+  void adopt(std::uint32_t v);
+  template <int Side>
+  void orphan(std::uint32_t v);
+  template <int Side>
+  std::int64_t path_capacity(std::uint32_t v);
+  template <int Side>
+  void push_path(std::uint32_t v, std::int32_t amount);
   void augment(std::uint32_t v, unsigned i);
   void plant();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/vec.h"
 #include "cloud/nearest.h"
@@ -90,6 +91,13 @@ Background background_points(const std::vector<Vec3>& samples, const std::vector
     background.nearest.push_back(hit.index);
   }
   return background;
+}
+
+std::vector<Index> nearest_samples(std::size_t samples, const Background& background) {
+  std::vector<Index> nearest(samples);
+  std::iota(nearest.begin(), nearest.end(), Index{0});
+  nearest.insert(nearest.end(), background.nearest.begin(), background.nearest.end());
+  return nearest;
 }
 
 }  // namespace arris

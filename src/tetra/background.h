@@ -21,4 +21,7 @@ struct Background {
 Background background_points(const std::vector<Vec3>& samples, const std::vector<double>& spacing,
                              const LocalFrame& frame, double per_sample, Job& job);
 
+// The TetMesh::nearest of samples followed by these background points.
+std::vector<Index> nearest_samples(std::size_t samples, const Background& background);
+
 }  // namespace arris
