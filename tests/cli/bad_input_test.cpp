@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,10 @@ struct Row {
   std::string message;       // exact, or a beginning that ends with "..."; empty on success
   std::string options = "";  // further arguments
 };
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.name;
+}
 
 std::string ply(
     const std::string& format, const std::string& declared, const std::string& body,
@@ -189,16 +193,18 @@ TEST_P(BadInput, EndsAsTheTableSays) {
     EXPECT_NE(error.remedy, "") << outcome.err;
   }
   EXPECT_EQ(place.entries(), expected);
-  if (!row.file.empty()) EXPECT_EQ(place.read(row.file), row.content);
+  if (!row.file.empty()) {
+    EXPECT_EQ(place.read(row.file), row.content);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BadInput, testing::ValuesIn(rows),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BadInput, ADirectory) {
   const Workplace place;
   std::filesystem::create_directory(place.path("in.ply"));
-  const Outcome outcome = place.arris("reconstruct in.ply -o out.ply");
+  const Outcome outcome = place.arris("reconstruct in.ply -o out.ply --quiet");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(printed_error(outcome.err).message, "'in.ply': is a directory");
   EXPECT_EQ(place.entries(), std::set<std::string>{"in.ply"});
@@ -207,7 +213,7 @@ TEST(BadInput, ADirectory) {
 TEST(BadInput, APipe) {
   const Workplace place;
   const Outcome outcome =
-      place.shell("mkfifo in.ply; exec \"$ARRIS\" reconstruct in.ply -o out.ply");
+      place.shell("mkfifo in.ply; exec \"$ARRIS\" reconstruct in.ply -o out.ply --quiet");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(printed_error(outcome.err).message, "'in.ply': is not a regular file");
 }
@@ -217,7 +223,7 @@ TEST(BadInput, AFileClosedToReading) {
   place.write("in.xyz", tetrahedron);
   if (place.shell("chmod 000 in.xyz; cat in.xyz").exit_code == 0)
     GTEST_SKIP() << "this user may read everything";
-  const Outcome outcome = place.arris("reconstruct in.xyz -o out.ply");
+  const Outcome outcome = place.arris("reconstruct in.xyz -o out.ply --quiet");
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_EQ(printed_error(outcome.err).message, "'in.xyz': cannot be opened: Permission denied");
 }

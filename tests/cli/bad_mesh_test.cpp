@@ -1,6 +1,7 @@
 // arris check on meshes with every kind of defect, and on good ones.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "cli/workplace.h"
@@ -15,6 +16,10 @@ struct Row {
   int exit_code;
   const char* message;  // empty if the mesh is certified
 };
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.name;
+}
 
 std::string off(int vertices, int faces, const std::string& body) {
   return "OFF\n" + std::to_string(vertices) + " " + std::to_string(faces) + " 0\n" + body;
@@ -75,7 +80,7 @@ TEST_P(CheckMesh, NamesTheFirstDefect) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, CheckMesh, testing::ValuesIn(rows),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(CheckMesh, PrintsTheCertificate) {
   const Workplace place;

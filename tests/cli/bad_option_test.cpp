@@ -1,6 +1,7 @@
 // The table of command lines that are refused, all with exit code 2 and before any file is touched.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "cli/workplace.h"
@@ -13,6 +14,10 @@ struct Row {
   const char* arguments;
   const char* message;
 };
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.name;
+}
 
 const Row rows[] = {
     {"UnknownCommand", "rebuild in.xyz", "the following arguments were not expected: ..."},
@@ -91,7 +96,7 @@ TEST_P(BadOption, IsRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BadOption, testing::ValuesIn(rows),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace arris::test

@@ -1,6 +1,7 @@
 // Outputs that cannot be written: the exit code, the message, and that nothing is left behind.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "cli/workplace.h"
@@ -15,6 +16,10 @@ struct Row {
   int exit_code;
   const char* message;
 };
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.name;
+}
 
 const Row rows[] = {
     {"UnknownExtension", "", "-o out.las", 4,
@@ -67,7 +72,7 @@ TEST_P(BadOutput, LeavesNothingBehind) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BadOutput, testing::ValuesIn(rows),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BadOutput, AnOldMeshSurvivesAFailedWrite) {
   const Workplace place;
@@ -83,7 +88,7 @@ TEST(BadOutput, ADirectoryClosedToWriting) {
   place.write("in.xyz", sphere_xyz(20));
   if (place.shell("mkdir shut; chmod 555 shut; touch shut/file").exit_code == 0)
     GTEST_SKIP() << "this user may write everywhere";
-  const Outcome outcome = place.arris("reconstruct in.xyz -o shut/out.ply");
+  const Outcome outcome = place.arris("reconstruct in.xyz -o shut/out.ply --quiet");
   EXPECT_EQ(outcome.exit_code, 10);
   EXPECT_EQ(printed_error(outcome.err).message,
             "'shut/out.ply': the directory 'shut' cannot be written to: Permission denied");
@@ -94,7 +99,7 @@ TEST(BadOutput, AReadOnlyFile) {
   place.write("in.xyz", sphere_xyz(20));
   if (place.shell("echo old > out.ply; chmod 444 out.ply; echo new >> out.ply").exit_code == 0)
     GTEST_SKIP() << "this user may write everywhere";
-  const Outcome outcome = place.arris("reconstruct in.xyz -o out.ply");
+  const Outcome outcome = place.arris("reconstruct in.xyz -o out.ply --quiet");
   EXPECT_EQ(outcome.exit_code, 10);
   EXPECT_EQ(printed_error(outcome.err).message,
             "'out.ply': cannot be overwritten: Permission denied");

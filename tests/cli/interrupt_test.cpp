@@ -33,7 +33,7 @@ TEST_P(Interrupt, LeavesNoFile) {
 
 // Not INT: a shell without job control makes its background processes ignore it.
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values("TERM", "HUP"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST(Interrupt, ByCtrlC) {
   const Workplace place;
