@@ -14,7 +14,7 @@ namespace arris {
 // geometric decision uses exact predicates, none uses a tolerance.
 struct Certificate {
   std::uint64_t vertices = 0, triangles = 0, edges = 0;
-  std::uint64_t invalid_indices = 0;        // corners that name no vertex
+  std::uint64_t invalid_indices = 0;  // corners that name no vertex
   std::uint64_t non_finite_vertices = 0;
   std::uint64_t unreferenced_vertices = 0;  // reported, not a defect
   std::uint64_t degenerate_triangles = 0;   // repeated corner, or three collinear corners

@@ -9,17 +9,17 @@ namespace arris {
 
 // What went wrong, for programs. The numbers are stable; the command uses them as exit codes.
 enum class ErrorCode {
-  usage = 2,             // an option out of range or contradictory
-  unreadable = 3,        // a file is missing, unreadable, truncated or malformed
-  unsupported = 4,       // a file type or property that arris does not read or write
-  bad_points = 5,        // non-finite coordinates, or too few distinct points
-  degenerate = 6,        // all points equal, collinear or coplanar: no volume to bound
-  no_surface = 7,        // the data do not bound a solid: the cut left nothing inside
-  certificate = 8,       // the mesh failed a check; what and where is in the message
-  out_of_memory = 9,     // the forecast or an allocation exceeds the memory limit
-  unwritable = 10,       // the output could not be written or renamed; nothing was left behind
-  cancelled = 11,        // the caller asked to stop
-  internal = 12,         // a promise inside arris broke; please report it
+  usage = 2,          // an option out of range or contradictory
+  unreadable = 3,     // a file is missing, unreadable, truncated or malformed
+  unsupported = 4,    // a file type or property that arris does not read or write
+  bad_points = 5,     // non-finite coordinates, or too few distinct points
+  degenerate = 6,     // all points equal, collinear or coplanar: no volume to bound
+  no_surface = 7,     // the data do not bound a solid: the cut left nothing inside
+  certificate = 8,    // the mesh failed a check; what and where is in the message
+  out_of_memory = 9,  // the forecast or an allocation exceeds the memory limit
+  unwritable = 10,    // the output could not be written or renamed; nothing was left behind
+  cancelled = 11,     // the caller asked to stop
+  internal = 12,      // a promise inside arris broke; please report it
 };
 
 // A failure. `message` is one sentence that names the file, line, point or option; `remedy` says

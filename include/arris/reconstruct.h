@@ -13,9 +13,9 @@
 namespace arris {
 
 struct Reconstruction {
-  Mesh mesh;                        // certified: see Report::certificate
-  TetVolume volume;                 // empty unless Options::tetrahedra
-  std::vector<float> confidence;    // per mesh vertex, [0, 1]: share of agreeing seed evidence
+  Mesh mesh;                      // certified: see Report::certificate
+  TetVolume volume;               // empty unless Options::tetrahedra
+  std::vector<float> confidence;  // per mesh vertex, [0, 1]: share of agreeing seed evidence
   Report report;
 };
 

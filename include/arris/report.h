@@ -12,33 +12,33 @@
 namespace arris {
 
 struct StageReport {
-  std::string name;                   // "delaunay", "seeds", "cut", ...
-  double seconds = 0;                 // wall clock
-  std::uint64_t peak_memory = 0;      // bytes resident at most, of the process, up to its end
+  std::string name;               // "delaunay", "seeds", "cut", ...
+  double seconds = 0;             // wall clock
+  std::uint64_t peak_memory = 0;  // bytes resident at most, of the process, up to its end
 };
 
 struct Report {
-  Options options;                    // as used: defaults of the method filled in
+  Options options;  // as used: defaults of the method filled in
   unsigned threads = 0;
 
   std::uint64_t input_points = 0, non_finite_points = 0, duplicate_points = 0;
-  std::uint64_t samples = 0;          // distinct finite points
+  std::uint64_t samples = 0;  // distinct finite points
   std::uint64_t background_points = 0;
   std::uint64_t tetrahedra = 0;       // finite
   std::uint64_t free_tetrahedra = 0;  // decided by the cut, not by seeds
   std::uint64_t surface_samples = 0;  // samples that are vertices of the mesh
   Vec3 shift;                         // local frame = (user - shift) * scale, exactly
   double scale = 1;
-  double spacing = 0;                 // median sample spacing, user's unit
+  double spacing = 0;  // median sample spacing, user's unit
 
   // Share of the evidence for inside/outside that contradicts the labels used, in [0, 1]; 0 is a
   // clean cloud. Per sample in Reconstruction::confidence.
   double contradiction = 0;
 
-  std::vector<double> cut_energy;     // E after each cut, lengths in units of spacing (eq. 6)
-  std::vector<double> swap_energy;    // E before the first and after each round of swaps (eq. 9)
-  std::uint64_t swaps = 0;            // accepted
-  std::uint64_t manifold_flips = 0;   // tetrahedra relabelled to make the surface a 2-manifold
+  std::vector<double> cut_energy;    // E after each cut, lengths in units of spacing (eq. 6)
+  std::vector<double> swap_energy;   // E before the first and after each round of swaps (eq. 9)
+  std::uint64_t swaps = 0;           // accepted
+  std::uint64_t manifold_flips = 0;  // tetrahedra relabelled to make the surface a 2-manifold
 
   std::vector<StageReport> stages;
   Certificate certificate;

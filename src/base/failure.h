@@ -1,8 +1,8 @@
 // How an Error travels inside the library: as an exception that the public functions catch.
 #pragma once
 
-#include <new>
 #include <exception>
+#include <new>
 #include <string>
 #include <type_traits>
 #include <utility>

@@ -19,8 +19,8 @@ std::uint64_t peak_memory() noexcept {
 
 std::uint64_t machine_memory() noexcept {
   const auto pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  std::uint64_t bytes =
-      pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page)
+  std::uint64_t bytes = pages > 0 && page > 0
+                            ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page)
                             : 0;
   std::uint64_t group = 0;
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> group && group > 0)
@@ -44,7 +44,9 @@ void Job::finish() {
   if (!stages_.empty()) tell(1, true);
 }
 
-void Job::tick(double fraction) { tell(fraction, false); }
+void Job::tick(double fraction) {
+  tell(fraction, false);
+}
 
 bool Job::cancelled() const noexcept {
   return context_.cancel && context_.cancel->load(std::memory_order_relaxed);

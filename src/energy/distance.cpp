@@ -35,8 +35,7 @@ FacetDistance facet_distance(const TetMesh& mesh, Tet t, int i) {
   const double at_centroid = d(1.0 / 3 * (x[0] + x[1] + x[2]));
   FacetDistance result;
   result.area = 0.5 * length(cross(x[1] - x[0], x[2] - x[0]));
-  result.mean_distance =
-      1.0 / 20 * at_vertices + 2.0 / 15 * at_midpoints + 9.0 / 20 * at_centroid;
+  result.mean_distance = 1.0 / 20 * at_vertices + 2.0 / 15 * at_midpoints + 9.0 / 20 * at_centroid;
   return result;
 }
 

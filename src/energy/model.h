@@ -13,9 +13,9 @@ namespace arris {
 // d S / h_f^3, h_f the mean spacing of its three vertices; an edge of length l and exterior angle
 // β costs λ (l β / 2) / h_e, h_e the mean spacing of its two; cotangent curvature alike.
 struct EnergyModel {
-  double lambda = 0.1;                            // in units of h^2
-  Curvature curvature = Curvature::polyhedral;    // never by_method here
-  std::vector<double> spacing;                    // h > 0 at every point of the TetMesh
+  double lambda = 0.1;                          // in units of h^2
+  Curvature curvature = Curvature::polyhedral;  // never by_method here
+  std::vector<double> spacing;                  // h > 0 at every point of the TetMesh
 };
 
 }  // namespace arris

@@ -19,9 +19,9 @@ struct SwapOptions {
 };
 
 struct SwapResult {
-  std::vector<double> energy;   // E before the first round and after each; never increases
-  std::uint64_t accepted = 0;   // moves
-  std::uint64_t flipped = 0;    // tetrahedra, counted once per flip
+  std::vector<double> energy;  // E before the first round and after each; never increases
+  std::uint64_t accepted = 0;  // moves
+  std::uint64_t flipped = 0;   // tetrahedra, counted once per flip
 };
 
 // E of the whole boundary of the labels, from scratch.

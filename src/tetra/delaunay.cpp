@@ -25,10 +25,13 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
 using CellBase =
     CGAL::Triangulation_cell_base_with_info_3<Tet, Kernel,
                                               CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Engine = CGAL::Delaunay_triangulation_3<
-    Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Engine =
+    CGAL::Delaunay_triangulation_3<Kernel,
+                                   CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
-Kernel::Point_3 to_engine(Vec3 p) { return {p.x, p.y, p.z}; }
+Kernel::Point_3 to_engine(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
 
 // Points as the engine reads them, without a copy.
 struct PointMap {
@@ -125,8 +128,8 @@ TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job) {
   mesh.points = std::move(points);
   const std::vector<Engine::Cell_handle> cells =
       number_cells(engine, mesh.points.size(), mesh.finite);
-  if (cells.size() >= no_tet)
-    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit indices can name",
+  if (cells.size() >= most_tets)
+    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
                   "use fewer points, or split the cloud");
   copy_cells(engine, cells, job.threads(), mesh);
   return mesh;

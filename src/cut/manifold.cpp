@@ -1,0 +1,185 @@
+#include "cut/manifold.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace arris {
+namespace {
+
+// Flips a tetrahedron may make in both directions before it may only leave the solid. A pinch that
+// is still there after two rounds of filling and carving is not worth a third.
+constexpr std::uint8_t free_flips = 4;
+
+// The connected parts of a star: tetrahedra of one label joined through facets at the vertex.
+struct Parts {
+  std::vector<std::uint32_t> part;   // per tetrahedron of the star
+  std::vector<std::uint8_t> inside;  // per part
+  std::array<std::uint32_t, 2> count = {0, 0};
+  std::vector<std::uint32_t> stack;
+};
+
+void find_parts(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star, Index v,
+                Parts& parts) {
+  constexpr std::uint32_t unset = 0xFFFFFFFFu;
+  parts.part.assign(star.size(), unset);
+  parts.inside.clear();
+  parts.count = {0, 0};
+  for (std::uint32_t first = 0; first < star.size(); ++first) {
+    if (parts.part[first] != unset) continue;
+    const auto id = static_cast<std::uint32_t>(parts.inside.size());
+    const std::uint8_t label = labels[star[first]];
+    parts.inside.push_back(label);
+    ++parts.count[label];
+    parts.part[first] = id;
+    parts.stack.assign(1, first);
+    while (!parts.stack.empty()) {
+      const Tet t = star[parts.stack.back()];
+      parts.stack.pop_back();
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Tet n = mesh.neighbours[t][i];
+        if (mesh.vertices[t][i] == v || labels[n] != label) continue;
+        const auto k = static_cast<std::uint32_t>(std::lower_bound(star.begin(), star.end(), n) -
+                                                  star.begin());
+        if (parts.part[k] != unset) continue;
+        parts.part[k] = id;
+        parts.stack.push_back(k);
+      }
+    }
+  }
+}
+
+class Untangler {
+ public:
+  Untangler(const TetMesh& mesh, const Stars& stars, const FacetCost& cost, Labels& labels)
+      : mesh_(mesh), stars_(stars), cost_(cost), labels_(labels), flips_(mesh.size(), 0) {}
+
+  std::uint64_t run(Job& job) {
+    std::vector<Index> queue = surface_vertices();
+    queued_.assign(mesh_.points.size(), 0);
+    for (Index v : queue) queued_[v] = 1;
+    for (std::size_t k = 0; k < queue.size(); ++k) {
+      if (k % 65536 == 0) job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
+      const Index v = queue[k];
+      queued_[v] = 0;
+      while (repair(v)) {
+      }
+      for (Index w : touched_)
+        if (!queued_[w]) {
+          queued_[w] = 1;
+          queue.push_back(w);
+        }
+      touched_.clear();
+    }
+    return total_;
+  }
+
+ private:
+  std::vector<Index> surface_vertices() const {
+    std::vector<std::uint8_t> on(mesh_.points.size(), 0);
+    for (std::size_t t = 0; t < mesh_.size(); ++t) {
+      if (!labels_[t]) continue;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (!labels_[mesh_.neighbours[t][i]])
+          for (int corner : facet_corners[i])
+            on[mesh_.vertices[t][static_cast<std::size_t>(corner)]] = 1;
+    }
+    std::vector<Index> list;
+    for (std::size_t v = 0; v < on.size(); ++v)
+      if (on[v]) list.push_back(static_cast<Index>(v));
+    return list;
+  }
+
+  // One flip towards a regular star; false if it is regular.
+  bool repair(Index v) {
+    const auto star = stars_[v];
+    find_parts(mesh_, labels_, star, v, parts_);
+    if (parts_.count[0] <= 1 && parts_.count[1] <= 1) return false;
+    std::uint32_t best = 0;
+    double best_cost = std::numeric_limits<double>::infinity();
+    for (std::uint32_t p = 0; p < parts_.inside.size(); ++p) {
+      const double c = flip_cost(star, p);
+      if (c < best_cost) {
+        best_cost = c;
+        best = p;
+      }
+    }
+    for (std::size_t k = 0; k < star.size(); ++k)
+      if (parts_.part[k] == best) flip(star[k]);
+    return true;
+  }
+
+  // Change of the surface's cost if part p changes sides; infinity if it may not, or need not.
+  double flip_cost(std::span<const Tet> star, std::uint32_t p) const {
+    constexpr double forbidden = std::numeric_limits<double>::infinity();
+    const std::uint8_t label = parts_.inside[p];
+    if (parts_.count[label] < 2 && (label == 0 || !must_carve(star)))
+      return forbidden;  // the only part of its side: flipping it takes the vertex off the surface
+    double change = 0;
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      if (parts_.part[k] != p) continue;
+      const Tet t = star[k];
+      if (!mesh_.is_finite(t) || (label == 0 && flips_[t] >= free_flips)) return forbidden;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Tet n = mesh_.neighbours[t][i];
+        const bool same = labels_[n] == label;
+        if (same && in_part(star, n, p)) continue;
+        change += same ? cost_(t, static_cast<int>(i)) : -cost_(t, static_cast<int>(i));
+      }
+    }
+    return change;
+  }
+
+  bool in_part(std::span<const Tet> star, Tet t, std::uint32_t p) const {
+    const auto at = std::lower_bound(star.begin(), star.end(), t);
+    return at != star.end() && *at == t &&
+           parts_.part[static_cast<std::size_t>(at - star.begin())] == p;
+  }
+
+  // Inside is one part, outside several, and none of those may be filled any more.
+  bool must_carve(std::span<const Tet> star) const {
+    if (parts_.count[1] != 1) return false;
+    for (std::uint32_t p = 0; p < parts_.inside.size(); ++p) {
+      if (parts_.inside[p]) continue;
+      bool fillable = true;
+      for (std::size_t k = 0; k < star.size(); ++k)
+        if (parts_.part[k] == p && (!mesh_.is_finite(star[k]) || flips_[star[k]] >= free_flips))
+          fillable = false;
+      if (fillable) return false;
+    }
+    return true;
+  }
+
+  void flip(Tet t) {
+    labels_[t] ^= 1;
+    if (flips_[t] < free_flips) ++flips_[t];
+    ++total_;
+    for (Index w : mesh_.vertices[t])
+      if (w != infinite_vertex) touched_.push_back(w);
+  }
+
+  const TetMesh& mesh_;
+  const Stars& stars_;
+  const FacetCost& cost_;
+  Labels& labels_;
+  std::vector<std::uint8_t> flips_, queued_;
+  std::vector<Index> touched_;
+  Parts parts_;
+  std::uint64_t total_ = 0;
+};
+
+}  // namespace
+
+bool is_regular_vertex(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star,
+                       Index v) {
+  Parts parts;
+  find_parts(mesh, labels, star, v, parts);
+  return parts.count[0] <= 1 && parts.count[1] <= 1;
+}
+
+std::uint64_t make_manifold(const TetMesh& mesh, const Stars& stars, const FacetCost& cost,
+                            Labels& labels, Job& job) {
+  return Untangler(mesh, stars, cost, labels).run(job);
+}
+
+}  // namespace arris

@@ -1,0 +1,158 @@
+// The whole pipeline on one page: samples → tetrahedra → seeds → cut → swap → surface.
+#include "arris/reconstruct.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/failure.h"
+#include "base/job.h"
+#include "base/vec.h"
+#include "cloud/prepare.h"
+#include "cut/facet_costs.h"
+#include "cut/level_set.h"
+#include "cut/manifold.h"
+#include "cut/surface_cut.h"
+#include "forecast.h"
+#include "options.h"
+#include "output.h"
+#include "seed/seeds.h"
+#include "seed/transfer.h"
+#include "surface/certify.h"
+#include "surface/extract.h"
+#include "swap/swap.h"
+#include "tetra/background.h"
+#include "tetra/delaunay.h"
+#include "tetra/geometry.h"
+
+namespace arris {
+namespace {
+
+// Shares of the whole time, for the progress bar; measured at a million points.
+struct Shares {
+  double samples, delaunay, seeds, background, cut, swap, check;
+};
+constexpr Shares automatic_shares = {0.05, 0.40, 0.12, 0, 0.18, 0.15, 0.10};
+constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0.05};
+
+// A tetrahedral mesh of the samples, what is known of its tetrahedra, and the energy to minimize.
+struct Stage {
+  TetMesh mesh;
+  Seeds seeds;
+  EnergyModel model;
+};
+
+Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job) {
+  Stage stage;
+  job.stage("delaunay", shares.delaunay);
+  stage.mesh = delaunay(samples.points, samples.points.size(), job);
+  job.stage("seeds", shares.seeds);
+  const Stars stars(stage.mesh);
+  stage.model = {options.lambda, options.curvature,
+                 sample_spacing(stage.mesh, stars, job.threads())};
+  const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
+  stage.seeds = find_seeds(stage.mesh, stars, balls, stage.model.spacing, job);
+  return stage;
+}
+
+// Cut, and the manifold next to it.
+SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
+                        Job& job) {
+  SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
+  report.manifold_flips += make_manifold(
+      stage.mesh, Stars(stage.mesh),
+      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
+      cut.labels, job);
+  return cut;
+}
+
+// Delaunay of samples and background points, with the seeds of the samples alone (paper, section
+// 3).
+Stage add_background(const Stage& coarse, const Samples& samples, const Options& options,
+                     const Shares& shares, Report& report, Job& job) {
+  job.stage("background", shares.background);
+  const SurfaceCut first = cut_surface(coarse.mesh, coarse.model, coarse.seeds, {}, job);
+  const Background background = background_points(samples.points, coarse.model.spacing,
+                                                  samples.frame, options.background, job);
+  report.background_points = background.points.size();
+  std::vector<Vec3> points = samples.points;
+  points.insert(points.end(), background.points.begin(), background.points.end());
+  Stage fine;
+  fine.mesh = delaunay(std::move(points), samples.points.size(), job);
+  fine.mesh.nearest = nearest_samples(samples.points.size(), background);
+  fine.model = coarse.model;
+  for (Index near : background.nearest) fine.model.spacing.push_back(coarse.model.spacing[near]);
+  fine.seeds = transfer_seeds(coarse.mesh, first.labels, coarse.seeds, fine.mesh, job);
+  return fine;
+}
+
+// The paper's iteration: κ^0 = 0, then κ^n from the signed distance to Γ^n (eq. 6).
+Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report, Job& job) {
+  std::vector<double> curvature;
+  Labels labels;
+  for (int n = 0; n < cycles; ++n) {
+    job.stage(cycles == 1 ? "cut" : "cut " + std::to_string(n + 1), share / cycles);
+    if (n > 0)
+      curvature = level_set_curvature(stage.mesh, signed_distance(stage.mesh, labels, job));
+    SurfaceCut cut = cut_manifold(stage, curvature, report, job);
+    report.cut_energy.push_back(cut.energy);
+    report.free_tetrahedra = cut.free;
+    labels = std::move(cut.labels);
+  }
+  return labels;
+}
+
+void run_swaps(const Stage& stage, double share, Labels& labels, Report& report, Job& job) {
+  job.stage("swap", share);
+  SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, SwapOptions{}, labels, job);
+  report.swap_energy = std::move(swaps.energy);
+  report.swaps = swaps.accepted;
+}
+
+void require_inside(const Labels& labels) {
+  if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
+    throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
+                  "scan the object from more sides, or give more points");
+}
+
+Reconstruction run(const PointCloud& cloud, const Options& given, const Context& context) {
+  Job job(context);
+  Reconstruction result;
+  Report& report = result.report;
+  const Options options = report.options = resolve_options(given);
+  require_memory(cloud.positions.size(), options, context);
+  const Shares& shares = options.background > 0 ? paper_shares : automatic_shares;
+
+  job.stage("samples", shares.samples);
+  const Samples samples = prepare_samples(cloud.positions, options.non_finite, job);
+  Stage stage = seed_samples(samples, options, shares, job);
+  if (options.background > 0) stage = add_background(stage, samples, options, shares, report, job);
+  Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
+  require_inside(labels);
+  if (options.swap) run_swaps(stage, shares.swap, labels, report, job);
+
+  job.stage("check", shares.check);
+  fill_counts(cloud, samples, stage.mesh, stage.model.spacing, stage.seeds, report);
+  result.mesh = output_mesh(cloud, samples, stage.mesh, labels);
+  result.confidence = output_confidence(result.mesh, samples, stage.seeds);
+  report.surface_samples = static_cast<std::uint64_t>(std::count_if(
+      result.mesh.source.begin(), result.mesh.source.end(), [](Index s) { return s != no_index; }));
+  if (options.tetrahedra) result.volume = output_volume(cloud, samples, stage.mesh, labels);
+  report.certificate = certify(result.mesh, job);
+  if (!report.certificate.ok())
+    throw Failure(ErrorCode::certificate,
+                  "the mesh failed its check: " + report.certificate.first_defect,
+                  "please report it with the input");
+  job.finish();
+  report.threads = job.threads();
+  report.stages = job.stages();
+  return result;
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(const PointCloud& cloud, const Options& options,
+                                   const Context& context) {
+  return guarded([&] { return run(cloud, options, context); });
+}
+
+}  // namespace arris

@@ -1,0 +1,46 @@
+#include "seed/transfer.h"
+
+#include "base/parallel.h"
+#include "base/vec.h"
+#include "tetra/locate.h"
+
+namespace arris {
+namespace {
+
+Vec3 centroid(const TetMesh& mesh, Tet t) {
+  const auto& v = mesh.vertices[t];
+  return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
+}
+
+}  // namespace
+
+Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
+                     const TetMesh& fine, Job& job) {
+  job.tick(0);
+  const std::vector<Tet> near = star_seeds(coarse);
+  const auto label_at = [&](Vec3 p, Index nearest) {
+    return labels[locate(coarse, p, near[nearest])];
+  };
+  std::vector<std::uint8_t> added(fine.points.size() - fine.samples);
+  parallel_for(added.size(), job.threads(), [&](std::size_t k) {
+    const auto v = static_cast<Index>(fine.samples + k);
+    added[k] = label_at(fine.points[v], fine.nearest_sample(v));
+  });
+  Seeds result;
+  result.contradiction = seeds.contradiction;
+  result.confidence = seeds.confidence;
+  result.label.resize(fine.finite);
+  result.firm.resize(fine.finite);
+  parallel_for(fine.finite, job.threads(), [&](std::size_t t) {
+    const auto& corners = fine.vertices[t];
+    const Vec3 c = centroid(fine, static_cast<Tet>(t));
+    result.label[t] = label_at(c, fine.nearest_sample(corners[0]));
+    int here = 0, there = 0;
+    for (Index v : corners)
+      if (!fine.is_sample(v)) ++(added[v - fine.samples] == result.label[t] ? here : there);
+    result.firm[t] = here > 0 && there == 0;
+  });
+  return result;
+}
+
+}  // namespace arris

@@ -1,0 +1,26 @@
+// From labels to the mesh: the facets between inside and outside, and the solid they enclose.
+#pragma once
+
+#include <vector>
+
+#include "arris/types.h"
+#include "tetra/tet_mesh.h"
+
+namespace arris {
+
+// Triangles oriented outwards over the points of the TetMesh that they use. Vertices keep the order
+// of the points; `point` says which each is. O(tetrahedra).
+struct ExtractedSurface {
+  std::vector<Index> point;         // per vertex: index into TetMesh::points
+  std::vector<Triangle> triangles;  // indices of vertices
+};
+ExtractedSurface extract_surface(const TetMesh& mesh, const Labels& labels);
+
+// The inside tetrahedra over the points they use, alike.
+struct ExtractedSolid {
+  std::vector<Index> point;
+  std::vector<std::array<Index, 4>> tetrahedra;
+};
+ExtractedSolid extract_solid(const TetMesh& mesh, const Labels& labels);
+
+}  // namespace arris

@@ -1,0 +1,32 @@
+// Measures of tetrahedra and of the point set they join: circumballs and sample spacing.
+#pragma once
+
+#include <vector>
+
+#include "tetra/stars.h"
+#include "tetra/tet_mesh.h"
+
+namespace arris {
+
+// Circumcentre and circumradius. Not exact: on a sliver the centre may be far off; the radius is
+// then huge, or infinity if the centre is not finite.
+struct Circumball {
+  Vec3 centre;
+  double radius = 0;
+};
+Circumball circumball(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+// One per finite tetrahedron.
+std::vector<Circumball> circumballs(const TetMesh& mesh, unsigned threads);
+
+// Spacing h of the samples round each point: the length of its spacing_rank-th shortest Delaunay
+// edge, then the median of that over the point and the ends of those edges. > 0.
+std::vector<double> sample_spacing(const TetMesh& mesh, const Stars& stars, unsigned threads);
+
+// Mean of the spacing at the four vertices of a finite tetrahedron.
+inline double mean_spacing(const TetMesh& mesh, const std::vector<double>& spacing, Tet t) {
+  const auto& v = mesh.vertices[t];
+  return (spacing[v[0]] + spacing[v[1]] + spacing[v[2]] + spacing[v[3]]) / 4;
+}
+
+}  // namespace arris

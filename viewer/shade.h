@@ -1,0 +1,27 @@
+// Light and colour of surfaces: flat shading by three lights fixed to the eye, and ambient
+// occlusion.
+#pragma once
+
+#include "viewer/image.h"
+#include "viewer/ray_scene.h"
+
+namespace arris::viewer {
+
+struct Quality {
+  int supersampling = 3;  // rays per pixel and axis
+  int occlusion = 64;     // rays per pixel for ambient occlusion; 0: none
+  unsigned threads = 0;   // 0: one per processor; the picture does not depend on it
+};
+
+// A part of a picture.
+struct Region {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+// Fills the region, the camera's pixel (0, 0) being its upper left corner. Surfaces seen from
+// behind are ochre, so that wrong orientation shows. Cost: pixels * (supersampling^2 + occlusion)
+// rays.
+void shade(const RayScene& scene, const Camera& camera, const Quality& quality,
+           const Region& region, Image& image);
+
+}  // namespace arris::viewer
