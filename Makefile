@@ -54,9 +54,7 @@ tsan: dependencies
 	setarch -R ctest --test-dir build-tsan -j $(JOBS) --output-on-failure -R '$(TSAN_TESTS)'
 
 fuzz: dependencies
-	$(CONFIGURE) -B build-fuzz $(CLANG) -DARRIS_BUILD_FUZZ=ON
-	cmake --build build-fuzz -j $(JOBS)
-	tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
+	ARRIS_FUZZ_CMAKE='$(CCACHE)' tests/fuzz/run.sh $(FUZZ_SECONDS) build-fuzz
 
 format:
 	clang-format -i $(SOURCES)
