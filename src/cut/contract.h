@@ -23,9 +23,9 @@ inline constexpr Seed seed_free = 2;
 //  -preference[t]   for each t inside, where it is negative,
 // and must agree with every seed. Capacities lie in [0, max_arc_capacity].
 struct CutProblem {
-  std::vector<Seed> seed;                            // per tetrahedron
-  std::vector<std::array<std::int32_t, 4>> capacity; // per tetrahedron and facet
-  std::vector<std::int64_t> preference;              // per tetrahedron, or empty: none has any
+  std::vector<Seed> seed;                             // per tetrahedron
+  std::vector<std::array<std::int32_t, 4>> capacity;  // per tetrahedron and facet
+  std::vector<std::int64_t> preference;               // per tetrahedron, or empty: none has any
 };
 
 // The problem without the tetrahedra whose label is known: an arc to one of them is a terminal, an

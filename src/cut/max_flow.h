@@ -28,8 +28,8 @@ struct FlowGraph {
 };
 
 struct MinCut {
-  std::int64_t flow = 0;                    // = capacity of the cut
-  std::vector<std::uint8_t> source_side;    // 1 for nodes reachable from the source in the residual
+  std::int64_t flow = 0;                  // = capacity of the cut
+  std::vector<std::uint8_t> source_side;  // 1 for nodes reachable from the source in the residual
 };
 
 // Solves it. The source side returned is the smallest of all minimum cuts (the nodes reachable from
