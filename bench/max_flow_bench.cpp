@@ -23,7 +23,7 @@ struct Algorithm {
   MinCut (*solve)(FlowGraph, Job&);
 };
 constexpr Algorithm algorithms[] = {
-    {"max_flow", max_flow}, {"bk", boykov_kolmogorov}, {"push_relabel", push_relabel}};
+    {"max_flow", max_flow}, {"ibfs", incremental_bfs}, {"push_relabel", push_relabel}};
 
 std::size_t arcs(const FlowGraph& graph) {
   std::size_t count = 0;
