@@ -35,11 +35,12 @@ void measure(std::size_t n, Curvature curvature) {
   start = std::clock();
   const SwapResult result = swap_tetrahedra(mesh, model, {}, labels, job);
   const double time = seconds_since(start);
-  std::printf("%8zu samples %9zu tetrahedra %-10s  energy %.2f s  swap %.2f s  moves %llu  "
-              "E %.6g -> %.6g  curvature %.4f -> %.4f\n",
-              n, mesh.finite, curvature == Curvature::cotangent ? "cotangent" : "polyhedral",
-              energy_time, time, static_cast<unsigned long long>(result.accepted), energy,
-              result.energy.back(), before, total_mean_curvature(mesh, labels));
+  std::printf(
+      "%8zu samples %9zu tetrahedra %-10s  energy %.2f s  swap %.2f s  moves %llu  "
+      "E %.6g -> %.6g  curvature %.4f -> %.4f\n",
+      n, mesh.finite, curvature == Curvature::cotangent ? "cotangent" : "polyhedral", energy_time,
+      time, static_cast<unsigned long long>(result.accepted), energy, result.energy.back(), before,
+      total_mean_curvature(mesh, labels));
   std::fflush(stdout);
 }
 

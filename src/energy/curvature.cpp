@@ -58,8 +58,7 @@ std::array<VertexCurvature, 3> facet_curvature(const TetMesh& mesh, const Energy
   const Vec3 unit = 1 / twice_area * normal;
   const double area = 0.5 * twice_area;
   std::array<double, 3> cosine;  // of the angle at each corner, times the lengths of its two sides
-  for (std::size_t k = 0; k < 3; ++k)
-    cosine[k] = dot(x[(k + 1) % 3] - x[k], x[(k + 2) % 3] - x[k]);
+  for (std::size_t k = 0; k < 3; ++k) cosine[k] = dot(x[(k + 1) % 3] - x[k], x[(k + 2) % 3] - x[k]);
   const bool obtuse = *std::min_element(cosine.begin(), cosine.end()) < 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 a = x[k], b = x[(k + 1) % 3], c = x[(k + 2) % 3];
@@ -69,8 +68,8 @@ std::array<VertexCurvature, 3> facet_curvature(const TetMesh& mesh, const Energy
     result[k].turning = 0.5 * cross(unit, c - b);
     const double voronoi = 0.125 * (squared_length(a - b) * cot_c + squared_length(a - c) * cot_b);
     // A Voronoi share lies between a quarter and a half of the triangle unless rounding moved it.
-    result[k].area = obtuse ? (cosine[k] < 0 ? 0.5 : 0.25) * area
-                            : std::clamp(voronoi, 0.25 * area, 0.5 * area);
+    result[k].area =
+        obtuse ? (cosine[k] < 0 ? 0.5 : 0.25) * area : std::clamp(voronoi, 0.25 * area, 0.5 * area);
     result[k].weight = area / (3 * h);
   }
   return result;

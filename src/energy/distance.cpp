@@ -56,16 +56,15 @@ OwnVoronoi obtuse_voronoi(Vec3 a, Vec3 b, Vec3 c, double cosine_a, double cosine
   const double q = base - half_b * std::sqrt(1 + tan_b * tan_b);
   OwnVoronoi v;
   v.integral = 2 * right_triangle(half_a, half_a * tan_a) +
-               2 * right_triangle(half_b, half_b * tan_b) +
-               right_triangle(height, q - foot) - right_triangle(height, p - foot);
+               2 * right_triangle(half_b, half_b * tan_b) + right_triangle(height, q - foot) -
+               right_triangle(height, p - foot);
   v.extremes = {a + (p / base) * (b - a), a + (q / base) * (b - a), 0.5 * (a + c), 0.5 * (b + c)};
   return v;
 }
 
 OwnVoronoi own_voronoi(const Corners& x, double twice_area) {
   std::array<double, 3> cosine;  // of the angle, times the lengths of its two sides
-  for (std::size_t k = 0; k < 3; ++k)
-    cosine[k] = dot(x[(k + 1) % 3] - x[k], x[(k + 2) % 3] - x[k]);
+  for (std::size_t k = 0; k < 3; ++k) cosine[k] = dot(x[(k + 1) % 3] - x[k], x[(k + 2) % 3] - x[k]);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     if (cosine[k] <= 0) return obtuse_voronoi(x[i], x[j], x[k], cosine[i], cosine[j], twice_area);

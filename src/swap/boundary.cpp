@@ -11,7 +11,8 @@ Boundary::Boundary(const TetMesh& mesh, Labels& labels)
     const unsigned mask = facets(t);
     for (std::size_t i = 0; i < 4; ++i)
       if ((mask >> i & 1u) != 0)
-        for (int corner : facet_corners[i]) ++degree_[mesh.vertices[t][static_cast<std::size_t>(corner)]];
+        for (int corner : facet_corners[i])
+          ++degree_[mesh.vertices[t][static_cast<std::size_t>(corner)]];
   }
 }
 
@@ -56,7 +57,10 @@ void Boundary::flip(Tet t) {
   for (std::size_t i = 0; i < 4; ++i)
     for (int corner : facet_corners[i]) {
       std::uint32_t& degree = degree_[mesh_.vertices[t][static_cast<std::size_t>(corner)]];
-      if ((mask >> i & 1u) != 0) --degree; else ++degree;
+      if ((mask >> i & 1u) != 0)
+        --degree;
+      else
+        ++degree;
     }
 }
 

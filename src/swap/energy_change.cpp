@@ -5,7 +5,9 @@
 namespace arris {
 namespace {
 
-bool has(unsigned mask, int i) { return (mask >> i & 1u) != 0; }
+bool has(unsigned mask, int i) {
+  return (mask >> i & 1u) != 0;
+}
 Index vertex(const TetMesh& mesh, Tet t, int i) {
   return mesh.vertices[t][static_cast<std::size_t>(i)];
 }
@@ -16,8 +18,8 @@ void add_polyhedral(const Boundary& boundary, const EnergyModel& model, Tet t, u
   std::array<Vec3, 4> normal;  // out of t
   for (int i = 0; i < 4; ++i) normal[static_cast<std::size_t>(i)] = facet_normal(mesh, t, i);
   for (std::size_t e = 0; e < 6; ++e) {
-    const double cost =
-        edge_cost(mesh, model, vertex(mesh, t, edge_corners[e][0]), vertex(mesh, t, edge_corners[e][1]));
+    const double cost = edge_cost(mesh, model, vertex(mesh, t, edge_corners[e][0]),
+                                  vertex(mesh, t, edge_corners[e][1]));
     int a = edge_corners[5 - e][0], b = edge_corners[5 - e][1];  // the two facets at the edge
     const Vec3 na = normal[static_cast<std::size_t>(a)], nb = normal[static_cast<std::size_t>(b)];
     if (has(mask, a) == has(mask, b)) {  // the edge leaves the surface, or enters it
