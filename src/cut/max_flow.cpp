@@ -5,12 +5,14 @@
 //
 // Chosen by measurement (bench/max_flow_bench.cpp) on dual graphs of Delaunay tetrahedra of sampled
 // surfaces, clean, noisy or with outliers, and terminals hard, sparse or soft. Processor time as a
-// multiple of this one's, over the graphs where it is long enough to measure:
+// multiple of this one's, geometric mean (and range) where it is long enough to measure:
 //   incremental breadth-first search (Goldberg et al., ESA 2011)   1.7 at 100k samples (1.3 - 2.3),
-//                                                                  1.3 - 1.6 at 1M
+//                                                                  1.3 - 1.6 at 1M, 0.6 - 1.9 at
+//                                                                  10k
 //   push-relabel, highest label (Cherkassky & Goldberg, 1997)      3.6 at 10k samples (1.2 - 20)
-// The sweep beforehand saves a third where terminals are everywhere and costs nothing elsewhere.
-// Time grows a little more than linearly in practice; the bound, O(n^2 m C), is never near.
+// The sweep beforehand saves about a third where terminals are everywhere; elsewhere its cost does
+// not show.
+// Ten times the nodes took eleven times as long; the worst case is O(n^2 m C).
 //
 // No warm start: solving again after all capacities changed, as the iteration of the paper has it,
 // takes 0.8 - 1.0 of the time when it starts from the last residual graph (Kohli & Torr, PAMI
