@@ -9,7 +9,9 @@
 //   incremental breadth-first search (Goldberg et al., ESA 2011)   1.7 at 100k samples (1.3 - 2.3),
 //                                                                  1.3 - 1.6 at 1M, 0.6 - 1.9 at
 //                                                                  10k
-//   push-relabel, highest label (Cherkassky & Goldberg, 1997)      3.6 at 10k samples (1.2 - 20)
+//   push-relabel, highest label (Cherkassky & Goldberg, 1997)      3.6 at 10k samples (1.2 - 20);
+//                                                                  one variant, little tuned, and
+//                                                                  without the sweep
 // The sweep beforehand saves about a third where terminals are everywhere; elsewhere its cost does
 // not show.
 // Ten times the nodes took eleven times as long; the worst case is O(n^2 m C).
