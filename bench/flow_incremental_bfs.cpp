@@ -8,9 +8,11 @@
 namespace arris {
 namespace {
 
+// What a node hangs from: one of its four arcs, a terminal, or nothing.
 constexpr std::uint8_t at_terminal = 4, no_parent = 5;
 
-// Orphans by distance: chains through ResidualGraph::next.
+// Orphans by distance: chains through IncrementalBfs::next_. Those of a level are handled before
+// any above.
 struct OrphanBuckets {
   std::vector<std::uint32_t> head;
   std::size_t lowest = 0, count = 0;
@@ -31,7 +33,7 @@ class IncrementalBfs {
   static constexpr std::size_t index() {
     return Side > 0 ? 0 : 1;
   }
-  // Residual of the arc that carries flow from v to its neighbour i, seen away from the root.
+  // What the arc between v and its neighbour i can carry: away from the root, and towards v.
   template <int Side>
   std::int32_t outward(std::uint32_t v, unsigned i) {
     return Side > 0 ? g_.residual(v, i) : g_.residual_into(v, i);
@@ -63,8 +65,9 @@ class IncrementalBfs {
   std::vector<std::uint32_t> next_;  // in the bucket of orphans
   std::vector<std::uint8_t> parent_;
   std::int64_t flow_ = 0;
-  std::array<std::int32_t, 2> depth_ = {1, 1};
-  std::array<std::int32_t, 2> limit_ = {1, 1};
+  // Per forest, the source's first: levels that are complete, and the highest label an orphan may
+  // take, which is one more while the forest grows.
+  std::array<std::int32_t, 2> depth_ = {1, 1}, limit_ = {1, 1};
   std::array<std::vector<std::uint32_t>, 2> frontier_, next_frontier_;
   std::array<OrphanBuckets, 2> orphans_;
 };
@@ -127,6 +130,8 @@ void IncrementalBfs::augment(std::uint32_t v, unsigned i) {
   adopt<-1>();
 }
 
+// Hangs v from a node one level below; else raises it to the lowest level that some neighbour
+// allows and lets it try again there, or sets it free if that is above the limit.
 template <int Side>
 void IncrementalBfs::adopt(std::uint32_t v) {
   const std::int32_t level = Side * label_[v];
