@@ -1,4 +1,6 @@
 // Time of the swap stage on a bumpy sphere of 10k, 100k and 1M samples (or the sizes given).
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -18,8 +20,22 @@ double seconds_since(std::clock_t start) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
+// Interleaves the bits of the coordinates in [-2, 2): neighbours in space are neighbours in order.
+std::uint64_t morton_code(Vec3 p) {
+  constexpr int bits = 20;
+  std::uint64_t code = 0;
+  for (double x : {p.x, p.y, p.z}) {
+    const auto cell = static_cast<std::uint64_t>((x + 2) / 4 * (1 << bits));
+    for (int b = 0; b < bits; ++b) code |= (cell >> b & 1u) << (3 * b);
+    code <<= 1;
+  }
+  return code;
+}
+
 void measure(std::size_t n, Curvature curvature) {
-  const test::Solid solid = test::bumpy_ball(n, 1);
+  test::Solid solid = test::bumpy_ball(n, 1);
+  std::sort(solid.samples.begin(), solid.samples.end(),
+            [](Vec3 a, Vec3 b) { return morton_code(a) < morton_code(b); });
   const Context context;
   Job job(context);
   job.stage("swap", 1);

@@ -82,7 +82,7 @@ double nearest_squared(Vec3 p, const Vec3* samples, std::size_t count) {
 // Mean over the triangle of the distance to the nearest sample, at the centroids of its subdivision
 // into `parts` squared similar triangles.
 double sampled_mean(const Corners& x, const Vec3* samples, std::size_t count) {
-  constexpr int parts = 6;  // error below 0.5 % on any facet of a Delaunay mesh
+  constexpr int parts = 8;  // error below 2 %, mostly far below
   const Vec3 u = 1.0 / parts * (x[1] - x[0]), v = 1.0 / parts * (x[2] - x[0]);
   double sum = 0;
   const auto add = [&](double i, double j) {

@@ -10,7 +10,7 @@ namespace arris {
 // facet, which in a Delaunay mesh is nearly always enough. The facet must not be infinite.
 //
 // The integral is exact (a Voronoi diagram of the three corners) where the corners are the nearest
-// samples, and within 0.5 % elsewhere. This accuracy matters: the integral of d over a flat region
+// samples, and within 2 % elsewhere. This accuracy matters: the integral of d over a flat region
 // is the same for every triangulation of it, so a minimizer of E lives on what the cubature gets
 // wrong, and a rule with an error of some per cent makes it dig pits into smooth surfaces.
 struct FacetDistance {

@@ -35,7 +35,7 @@ bool Boundary::is_simple(Tet t) const {
     case 1:
       return !on_surface(mesh_.vertices[t][static_cast<std::size_t>(std::countr_zero(mask))]);
     case 2: {
-      const int p = std::countr_zero(mask), q = std::bit_width(mask) - 1;
+      const int p = std::countr_zero(mask), q = static_cast<int>(std::bit_width(mask)) - 1;
       return !edge_on_surface(t, p, q);  // facet p is opposite corner p
     }
     case 3:

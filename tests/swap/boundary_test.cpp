@@ -23,7 +23,7 @@ Scene random_scene(unsigned seed, Curvature kind) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1), spacing(0.2, 0.6);
   Scene scene;
-  std::vector<Vec3> points(80);
+  std::vector<Vec3> points(40);
   for (Vec3& p : points) p = {unit(random), unit(random), unit(random)};
   const Context context;
   Job job(context);
@@ -34,7 +34,7 @@ Scene random_scene(unsigned seed, Curvature kind) {
   test::Solid solid;
   solid.inside = [](Vec3 p) { return squared_length(p) < 0.5; };
   scene.labels = test::grow_ball(scene.mesh, solid);
-  test::disturb(scene.mesh, 30, seed, scene.labels);
+  test::disturb(scene.mesh, 20, seed, scene.labels);
   return scene;
 }
 
