@@ -5,9 +5,10 @@
 
 namespace arris {
 
-// Y. Boykov, V. Kolmogorov, "An experimental comparison of min-cut/max-flow algorithms for energy
-// minimization in vision", PAMI 2004: two trees that keep growing, no bound on path length.
-MinCut boykov_kolmogorov(FlowGraph graph, Job& job);
+// A. Goldberg, S. Hed, H. Kaplan, R. Tarjan, R. Werneck, "Maximum flows by incremental
+// breadth-first search", ESA 2011: two trees of shortest paths that grow level by level; the
+// shallower one first, orphans by distance.
+MinCut incremental_bfs(FlowGraph graph, Job& job);
 
 // A. Goldberg, R. Tarjan, "A new approach to the maximum-flow problem", JACM 1988; B. Cherkassky,
 // A. Goldberg, "On implementing push-relabel method for the maximum flow problem", Algorithmica

@@ -35,7 +35,8 @@ Vec3 on_unit_sphere(Random& random) {
 }
 
 double bumpy_radius(Vec3 direction) {
-  return 1 + 0.08 * std::sin(7 * direction.x) * std::sin(6 * direction.y) * std::cos(5 * direction.z);
+  return 1 +
+         0.08 * std::sin(7 * direction.x) * std::sin(6 * direction.y) * std::cos(5 * direction.z);
 }
 
 // A plate 2 x 2 x 0.5 with four round holes of radius hole_radius through it.
@@ -79,8 +80,10 @@ Vec3 on_surface(Shape shape, Random& random) {
 
 bool is_inside(Shape shape, Vec3 p) {
   switch (shape) {
-    case Shape::bumpy_sphere: return length(p) < bumpy_radius(1 / length(p) * p);
-    case Shape::torus: return std::hypot(std::hypot(p.x, p.y) - 1, p.z) < torus_tube;
+    case Shape::bumpy_sphere:
+      return length(p) < bumpy_radius(1 / length(p) * p);
+    case Shape::torus:
+      return std::hypot(std::hypot(p.x, p.y) - 1, p.z) < torus_tube;
     case Shape::box_with_holes:
       return std::abs(p.x) < plate.x && std::abs(p.y) < plate.y && std::abs(p.z) < plate.z &&
              !in_hole(p.x, p.y);
@@ -120,8 +123,8 @@ Vec3 circumcentre(const TetMesh& mesh, Tet t) {
 
 void set_terminals(const Scene& scene, double spacing, Random& random, SceneCut& cut) {
   const TetMesh& mesh = cut.mesh;
-  const double seed_radius = scene.terminals == Terminals::hard ? seed_radius_in_spacings
-                                                                : sparse_seed_radius_in_spacings;
+  const double seed_radius =
+      scene.terminals == Terminals::hard ? seed_radius_in_spacings : sparse_seed_radius_in_spacings;
   cut.problem.seed.assign(mesh.size(), seed_outside);
   if (scene.terminals == Terminals::soft) cut.problem.preference.assign(mesh.size(), 0);
   for (Tet t = 0; t < mesh.finite; ++t) {
@@ -149,9 +152,9 @@ void set_capacities(double spacing, unsigned threads, SceneCut& cut) {
     for (std::size_t i = 0; i < 4; ++i) {
       // From the lower side, so that rounding is the same on both.
       const Tet u = mesh.neighbours[t][i];
-      const FacetDistance f =
-          u < t ? facet_distance(mesh, u, mesh.facet_to(u, static_cast<Tet>(t)))
-                : facet_distance(mesh, static_cast<Tet>(t), static_cast<int>(i));
+      const FacetDistance f = u < t
+                                  ? facet_distance(mesh, u, mesh.facet_to(u, static_cast<Tet>(t)))
+                                  : facet_distance(mesh, static_cast<Tet>(t), static_cast<int>(i));
       const double cost = std::min(f.area * f.mean_distance * unit, double{max_arc_capacity});
       cut.problem.capacity[t][i] = static_cast<std::int32_t>(cost);
     }

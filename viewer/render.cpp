@@ -71,6 +71,12 @@ std::optional<Error> defect(const View& v, std::size_t panels) {
   return std::nullopt;
 }
 
+struct Cancelled {};
+
+void throw_if_cancelled(const Context& context) {
+  if (context.cancel != nullptr && *context.cancel) throw Cancelled();
+}
+
 // The ball that the camera shows.
 struct Frame {
   Vec3 centre;
@@ -127,10 +133,11 @@ std::vector<Vec3> shown_points(const Model& model) {
 }
 
 void draw_lines(const Model& model, const RayScene& scene, const Camera& camera, const View& view,
-                const Region& region, Image& image) {
+                const Region& region, const Context& context, Image& image) {
   Ink wire(region.width, region.height), dark = wire, boundary = wire;
   const double angle = view.edge_angle * std::numbers::pi / 180;
   for (const Line& line : classify_edges(model, angle, camera.eye())) {
+    throw_if_cancelled(context);
     const auto draw = [&](double pen, Ink& ink) { draw_visible(line, scene, camera, pen, ink); };
     if (line.kind == LineKind::boundary)
       draw(boundary_pen, boundary);
@@ -154,15 +161,16 @@ void draw_caption(const std::string& text, int x, int y, int width, Image& image
 }
 
 void draw_panel(const Panel& panel, const Model& model, const Camera& camera, const View& view,
-                const Region& region, Image& image) {
+                const Region& region, const Context& context, Image& image) {
   const RayScene scene(model);
-  shade(scene, camera, view.quality, region, image);
-  draw_lines(model, scene, camera, view, region, image);
+  shade(scene, camera, view.quality, region, context, image);
+  throw_if_cancelled(context);
+  draw_lines(model, scene, camera, view, region, context, image);
   if (!panel.caption.empty())
     draw_caption(panel.caption, region.x, region.y + region.height, region.width, image);
 }
 
-Image draw(const std::vector<Panel>& panels, const View& view) {
+Image draw(const std::vector<Panel>& panels, const View& view, const Context& context) {
   BoundingBox all;
   for (const Panel& panel : panels) all.add(panel);
   Camera camera(view.azimuth, view.elevation);
@@ -194,19 +202,22 @@ Image draw(const std::vector<Panel>& panels, const View& view) {
     fit(view.common_frame ? shown : shown_points(model));
     model.ball_radius = view.point_size / 2 * camera.pixel_size();
     const Region region = {i % columns * view.width, i / columns * pitch, view.width, view.height};
-    draw_panel(panels[static_cast<std::size_t>(i)], model, camera, view, region, image);
+    draw_panel(panels[static_cast<std::size_t>(i)], model, camera, view, region, context, image);
+    if (context.progress) context.progress("render", (i + 1.0) / count);
   }
   return image;
 }
 
 }  // namespace
 
-Result<Image> render(const std::vector<Panel>& panels, const View& view) {
+Result<Image> render(const std::vector<Panel>& panels, const View& view, const Context& context) {
   if (const auto error = defect(view, panels.size())) return *error;
   for (const Panel& panel : panels)
     if (const auto error = defect(panel)) return *error;
   try {
-    return draw(panels, view);
+    return draw(panels, view, context);
+  } catch (const Cancelled&) {
+    return Error{ErrorCode::cancelled, "the picture was stopped", "start it again"};
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::out_of_memory, "the machine has no memory left for this picture",
                  "give a smaller size or fewer files"};

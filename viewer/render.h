@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "arris/context.h"
 #include "arris/error.h"
 #include "arris/types.h"
 #include "viewer/image.h"
@@ -39,6 +40,7 @@ struct View {
 // of more than 2^28 pixels), bad_points (nothing to draw, or coordinates that are not finite or
 // beyond 1e150), unreadable (a triangle with a corner that names no vertex), out_of_memory,
 // internal.
-Result<Image> render(const std::vector<Panel>& panels, const View& view);
+Result<Image> render(const std::vector<Panel>& panels, const View& view,
+                     const Context& context = {});
 
 }  // namespace arris::viewer

@@ -119,11 +119,12 @@ class Shader {
 }  // namespace
 
 void shade(const RayScene& scene, const Camera& camera, const Quality& quality,
-           const Region& region, Image& image) {
+           const Region& region, const Context& context, Image& image) {
   const Shader shader(scene, camera, quality);
   std::atomic<int> next_row = 0;
+  const auto cancelled = [&] { return context.cancel != nullptr && *context.cancel; };
   const auto work = [&] {
-    for (int y; (y = next_row++) < region.height;)
+    for (int y; !cancelled() && (y = next_row++) < region.height;)
       for (int x = 0; x < region.width; ++x) {
         const Light light = shader.pixel(x, y);
         std::uint8_t* out = image.at(region.x + x, region.y + y);
@@ -131,7 +132,7 @@ void shade(const RayScene& scene, const Camera& camera, const Quality& quality,
       }
   };
   const unsigned threads =
-      quality.threads != 0 ? quality.threads : std::max(1u, std::thread::hardware_concurrency());
+      context.threads != 0 ? context.threads : std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::jthread> workers;
   for (unsigned i = 1; i < threads; ++i) workers.emplace_back(work);
   work();

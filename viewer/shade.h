@@ -2,6 +2,7 @@
 // occlusion.
 #pragma once
 
+#include "arris/context.h"
 #include "viewer/image.h"
 #include "viewer/ray_scene.h"
 
@@ -10,7 +11,6 @@ namespace arris::viewer {
 struct Quality {
   int supersampling = 3;  // rays per pixel and axis
   int occlusion = 64;     // rays per pixel for ambient occlusion; 0: none
-  unsigned threads = 0;   // 0: one per processor; the picture does not depend on it
 };
 
 // A part of a picture.
@@ -20,8 +20,8 @@ struct Region {
 
 // Fills the region, the camera's pixel (0, 0) being its upper left corner. Surfaces seen from
 // behind are ochre, so that wrong orientation shows. Cost: pixels * (supersampling^2 + occlusion)
-// rays.
+// rays. Stops early if cancelled.
 void shade(const RayScene& scene, const Camera& camera, const Quality& quality,
-           const Region& region, Image& image);
+           const Region& region, const Context& context, Image& image);
 
 }  // namespace arris::viewer

@@ -52,4 +52,21 @@ std::int64_t ResidualGraph::total_excess() const noexcept {
   return sum;
 }
 
+std::int64_t push_between_neighbours(ResidualGraph& graph) {
+  std::int64_t flow = 0;
+  for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    for (unsigned i = 0; i < 4 && graph.excess(v) > 0; ++i) {
+      const std::uint32_t u = graph.neighbour(v, i);
+      const std::int64_t amount =
+          std::min({graph.excess(v), -graph.excess(u), std::int64_t{graph.residual(v, i)}});
+      if (amount <= 0) continue;
+      graph.push(v, i, static_cast<std::int32_t>(amount));
+      graph.add_excess(v, -amount);
+      graph.add_excess(u, amount);
+      flow += amount;
+    }
+  }
+  return flow;
+}
+
 }  // namespace arris

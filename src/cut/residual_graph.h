@@ -11,8 +11,7 @@ namespace arris {
 
 // The arrays of a FlowGraph, changed in place, and the slot of each arc's sister (its reverse). A
 // missing neighbour becomes a loop without capacity, so that no loop over arcs has to ask for it.
-// Arrays, not a record a node: most visits read one or two of them (measured: 0.85 of the time of
-// records of one cache line each, and half the memory).
+// Arrays, not a record a node of one cache line: measured to be as fast, in half the memory.
 class ResidualGraph {
  public:
   // Throws Failure(internal): not symmetric, or a capacity out of range.
@@ -47,5 +46,9 @@ class ResidualGraph {
   std::vector<std::int64_t> excess_;
   std::vector<std::uint8_t> sisters_;  // four slots of two bits
 };
+
+// Pushes what it can from every node with excess straight to neighbours that lack it; returns the
+// sum. The paths of one arc that a search would find first, without the search.
+std::int64_t push_between_neighbours(ResidualGraph& graph);
 
 }  // namespace arris

@@ -25,7 +25,7 @@ void FaceBuilder::corner(double number) {
   const double index = number - static_cast<double>(base_);
   if (!(index >= 0 && index < no_index) || index != std::floor(index))
     malformed(source_, where(),
-              "names vertex " + format_number(number) + "; vertices are numbered from " +
+              "names vertex " + readable(number) + "; vertices are numbered from " +
                   std::to_string(base_));
   corners_.push_back(static_cast<Index>(index));
   if (corners_.back() <= highest_) return;

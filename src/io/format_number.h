@@ -24,4 +24,13 @@ std::string format_number(Number value) {
   return std::string(format_number(value, buffer));
 }
 
+// For messages: whole numbers in full ("2000000000", where the shortest digits are "2e+09").
+inline std::string readable(double value) {
+  constexpr double exact = 1e15;  // up to here every whole number is a double
+  if (value > -exact && value < exact &&
+      value == static_cast<double>(static_cast<long long>(value)))
+    return format_number(static_cast<long long>(value));
+  return format_number(value);
+}
+
 }  // namespace arris

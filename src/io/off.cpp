@@ -72,8 +72,10 @@ class OffReader {
            "export it as a plain OFF or a PLY file");
   }
 
-  void require_room(const std::string& what, std::uint64_t count, std::uint64_t shortest) const {
-    const std::uint64_t room = (lines_.remaining() + 1) / shortest;
+  // Whether `count` things, of which `have` are read, can be there if each takes `shortest` bytes.
+  void require_room(const std::string& what, std::uint64_t count, std::uint64_t shortest,
+                    std::uint64_t have = 0) const {
+    const std::uint64_t room = have + (lines_.remaining() + 1) / shortest;
     if (count > room)
       malformed(source_, at_line(lines_.number()),
                 "file ends early, " + std::to_string(count) + " " + what +
@@ -126,7 +128,7 @@ class OffReader {
     constexpr std::size_t most_columns = 1024;  // more are garbage
     if (row_.size() < 3 + names.size() || row_.size() > most_columns) fail_width(3 + names.size());
     for (std::size_t k = 3 + names.size(); k < row_.size(); ++k) names.push_back(column_name(k));
-    require_room("further vertices", vertices_ - 1, 2 * row_.size());  // "0 0 0\n"
+    require_room("vertices", vertices_, 2 * row_.size(), 1);  // "0 0 0\n"
     require_memory(source_, "vertices", vertices_, sizeof(double) * row_.size());
     shape_.positions.reserve(vertices_);
     for (const std::string& name : names) {

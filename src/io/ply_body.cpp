@@ -18,7 +18,7 @@ std::uint64_t checked_list_size(const Body& body, const Source& source, double c
     malformed(source, body.where(), "has a list with a negative or broken count");
   if (count > static_cast<double>(body.row_remaining()))
     malformed(source, body.where(),
-              "has a list of " + format_number(count) + " entries, more than the file holds",
+              "has a list of " + readable(count) + " entries, more than the file holds",
               remedy_incomplete);
   return static_cast<std::uint64_t>(count);
 }

@@ -70,9 +70,9 @@ double LineScanner::fraction() const noexcept {
 }
 
 std::uint64_t LineScanner::count_remaining() const noexcept {
-  const auto breaks =
-      std::count(text_.begin() + static_cast<std::ptrdiff_t>(offset_), text_.end(), end_);
-  return static_cast<std::uint64_t>(breaks) + 1;
+  const std::string_view rest = text_.substr(offset_);
+  const auto breaks = std::count(rest.begin(), rest.end(), end_);
+  return static_cast<std::uint64_t>(breaks) + (rest.empty() || rest.back() == end_ ? 0 : 1);
 }
 
 bool is_blank(char c) noexcept {

@@ -28,7 +28,7 @@ class LineScanner {
   std::size_t remaining() const noexcept { return text_.size() - offset_; }
   // Share of the text behind, in [0, 1].
   double fraction() const noexcept;
-  // An upper bound of the number of lines to come.
+  // The number of lines to come.
   std::uint64_t count_remaining() const noexcept;
 
  private:

@@ -58,7 +58,8 @@ class BoxTree {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
   }
 
-  // Calls visit(position) for every triangle at a position >= first whose box overlaps `query`.
+  // Calls visit(position), in ascending order, for every triangle at a position >= first whose box
+  // overlaps `query`.
   template <class Visit>
   void for_each_overlap(const Box& query, std::size_t first, Visit&& visit) const {
     if (boxes_.empty()) return;

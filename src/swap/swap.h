@@ -27,9 +27,10 @@ struct SwapResult {
 // E of the whole boundary of the labels, from scratch.
 double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels);
 
-// Changes `labels` until no single flip nor any of the group moves lowers E. On entry the boundary
-// must be a 2-manifold; it stays one, with the same topology, after every accepted move.
-// Deterministic. Throws Failure(cancelled).
+// Changes `labels` until no single flip lowers E, nor any short chain of flips tried where the last
+// moves changed something. On entry the boundary must be a 2-manifold; it stays one, with the same
+// topology, after every accepted move. Deterministic. Throws Failure(cancelled).
+// Complexity: one pass over the tetrahedra, then time in proportion to the moves.
 SwapResult swap_tetrahedra(const TetMesh& mesh, const EnergyModel& model,
                            const SwapOptions& options, Labels& labels, Job& job);
 

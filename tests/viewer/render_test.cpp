@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <limits>
 
@@ -84,11 +85,29 @@ TEST(Render, FacesDifferInLight) {
 }
 
 TEST(Render, TheSameBytesWhateverTheThreads) {
-  View view = small_view();
-  view.quality.threads = 1;
-  const std::string one = encode_png(rendered(test::perforated_cube().mesh, view));
-  view.quality.threads = 3;
-  EXPECT_EQ(encode_png(rendered(test::perforated_cube().mesh, view)), one);
+  const std::vector<Panel> panels = {{test::perforated_cube().mesh, {}, "cube"}};
+  Context context;
+  context.threads = 1;
+  const Result<Image> one = render(panels, small_view(), context);
+  context.threads = 3;
+  const Result<Image> three = render(panels, small_view(), context);
+  ASSERT_TRUE(one && three);
+  EXPECT_EQ(encode_png(*one), encode_png(*three));
+}
+
+TEST(Render, CanBeStoppedAndTellsHowFarItIs) {
+  const std::vector<Panel> panels(2, {test::cube().mesh, {}, ""});
+  std::atomic<bool> cancel = false;
+  Context context;
+  context.cancel = &cancel;
+  std::vector<double> told;
+  context.progress = [&](std::string_view, double fraction) { told.push_back(fraction); };
+  EXPECT_TRUE(render(panels, small_view(), context));
+  EXPECT_EQ(told, (std::vector<double>{0.5, 1}));
+  context.progress = [&](std::string_view, double) { cancel = true; };
+  const Result<Image> stopped = render(panels, small_view(), context);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
 }
 
 TEST(Render, PlaceAndUnitDoNotMatter) {

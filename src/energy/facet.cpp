@@ -1,0 +1,29 @@
+#include "energy/facet.h"
+
+#include "base/vec.h"
+
+namespace arris {
+
+Vec3 facet_normal(const TetMesh& mesh, Tet t, int i) {
+  const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
+  const bool mine = t < n;
+  const Tet owner = mine ? t : n;
+  const auto& corners = facet_corners[static_cast<std::size_t>(mine ? i : mesh.facet_to(n, t))];
+  const auto x = [&](std::size_t k) {
+    return mesh.points[mesh.vertices[owner][static_cast<std::size_t>(corners[k])]];
+  };
+  const Vec3 a = x(0), normal = cross(x(1) - a, x(2) - a);
+  return mine ? normal : -normal;
+}
+
+double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) {
+  const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
+  if (n < t) return fidelity_cost(mesh, model, n, mesh.facet_to(n, t));
+  double h = 0;
+  for (int corner : facet_corners[static_cast<std::size_t>(i)])
+    h += 1.0 / 3 * model.spacing[mesh.vertices[t][static_cast<std::size_t>(corner)]];
+  const FacetDistance f = facet_distance(mesh, t, i);
+  return f.mean_distance * f.area / (h * h * h);
+}
+
+}  // namespace arris

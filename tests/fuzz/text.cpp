@@ -1,0 +1,8 @@
+#include "fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace arris;
+  fuzz::read(data, size, [](const Source& s) { return read_text(s, TextKind::plain); });
+  fuzz::read(data, size, [](const Source& s) { return read_text(s, TextKind::pts); });
+  return 0;
+}
