@@ -19,6 +19,7 @@
 #include "seed/transfer.h"
 #include "surface/certify.h"
 #include "surface/extract.h"
+#include "swap/flat.h"
 #include "swap/swap.h"
 #include "tetra/background.h"
 #include "tetra/delaunay.h"
@@ -103,7 +104,9 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
 
 void run_swaps(const Stage& stage, double share, Labels& labels, Report& report, Job& job) {
   job.stage("swap", share);
-  SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, SwapOptions{}, labels, job);
+  SwapOptions options;
+  options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
+  SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
   report.swap_energy = std::move(swaps.energy);
   report.swaps = swaps.accepted;
 }

@@ -12,8 +12,8 @@ enum class ErrorCode {
   usage = 2,          // an option out of range or contradictory
   unreadable = 3,     // a file is missing, unreadable, truncated or malformed
   unsupported = 4,    // a file type or property that arris does not read or write
-  bad_points = 5,     // non-finite coordinates, or too few distinct points
-  degenerate = 6,     // all points equal, collinear or coplanar: no volume to bound
+  bad_points = 5,     // non-finite coordinates, or no points at all
+  degenerate = 6,     // too few distinct points, or all in one plane: no volume
   no_surface = 7,     // the data do not bound a solid: the cut left nothing inside
   certificate = 8,    // the mesh failed a check; what and where is in the message
   out_of_memory = 9,  // the forecast or an allocation exceeds the memory limit

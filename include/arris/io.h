@@ -23,7 +23,9 @@ Result<Mesh> read_mesh(const std::string& path, const Context& context = {});
 // Writes .ply (binary, little endian), .obj, .off or .stl, to a temporary file beside `path` that
 // is renamed at the end: on failure `path` is as it was. Coordinates are written so that reading
 // gives the same doubles back; .stl is binary when every coordinate is a float32 value and ascii
-// with 17 digits otherwise. Errors: unsupported, unwritable, cancelled.
+// with the shortest exact digits otherwise. Attributes go into .ply, each in its type; .obj takes
+// red, green and blue if they are u8; .off and .stl take none. Errors: usage (an index or the
+// length of an attribute does not fit the vertices), unsupported, unwritable, cancelled.
 Result<void> write_mesh(const std::string& path, const Mesh& mesh, const Context& context = {});
 
 // Writes .msh (Gmsh 2.2 ascii) or .vtk (legacy ascii). Errors as write_mesh.

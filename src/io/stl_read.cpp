@@ -42,7 +42,10 @@ class CornerJoiner {
     const auto k = key(p);
     std::uint64_t hash = 0;
     for (const std::uint64_t word : k) {
-      hash = (hash ^ word) * 0x9E3779B97F4A7C15u;  // 2^64 over the golden ratio: mixes upwards
+      // Doubles of few digits differ in their high bits alone: fold those down, multiply (by 2^64
+      // over the golden ratio, which mixes upwards), and fold down again.
+      hash ^= word ^ (word >> 32);
+      hash *= 0x9E3779B97F4A7C15u;
       hash ^= hash >> 32;
     }
     std::size_t slot = hash & (table_.size() - 1);
@@ -111,7 +114,10 @@ Shape read_binary(const Source& source) {
 class AsciiStl {
  public:
   explicit AsciiStl(const Source& source)
-      : source_(source), lines_(source.bytes), joiner_(shape_.positions) {}
+      : source_(source),
+        lines_(source.bytes),
+        joiner_(shape_.positions),
+        limit_(memory_limit(source.job.context()) / sizeof(Triangle)) {}
 
   Shape read() {
     require_text(source_);
@@ -137,7 +143,8 @@ class AsciiStl {
       if (corners_ != 3)
         malformed(source_, where(),
                   "has " + std::to_string(corners_) + " corners where 3 are needed");
-      require_memory(source_, "triangles", shape_.triangles.size() + 1, sizeof(Triangle));
+      if (shape_.triangles.size() >= limit_)
+        require_memory(source_, "triangles", shape_.triangles.size() + 1, sizeof(Triangle));
       shape_.triangles.push_back(triangle_);
       corners_ = 0;
     } else if (keyword != "facet" && keyword != "outer" && keyword != "endloop") {
@@ -163,6 +170,7 @@ class AsciiStl {
   LineScanner lines_;
   Shape shape_;
   CornerJoiner joiner_;
+  std::uint64_t limit_;  // triangles that fit in memory
   Triangle triangle_{};
   std::size_t corners_ = 0;
   bool open_ = false;

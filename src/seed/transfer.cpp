@@ -1,5 +1,7 @@
 #include "seed/transfer.h"
 
+#include <array>
+
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "tetra/locate.h"
@@ -33,12 +35,13 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
   result.firm.resize(fine.finite);
   parallel_for(fine.finite, job.threads(), [&](std::size_t t) {
     const auto& corners = fine.vertices[t];
-    const Vec3 c = centroid(fine, static_cast<Tet>(t));
-    result.label[t] = label_at(c, fine.nearest_sample(corners[0]));
-    int here = 0, there = 0;
+    std::array<int, 2> votes = {0, 0};
     for (Index v : corners)
-      if (!fine.is_sample(v)) ++(added[v - fine.samples] == result.label[t] ? here : there);
-    result.firm[t] = here > 0 && there == 0;
+      if (!fine.is_sample(v)) ++votes[added[v - fine.samples]];
+    result.firm[t] = (votes[0] > 0) != (votes[1] > 0);
+    result.label[t] = result.firm[t] ? votes[1] > 0
+                                     : label_at(centroid(fine, static_cast<Tet>(t)),
+                                                fine.nearest_sample(corners[0]));
   });
   return result;
 }

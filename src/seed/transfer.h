@@ -6,9 +6,11 @@
 
 namespace arris {
 
-// A tetrahedron of `fine` takes the label of the tetrahedron of `coarse` that holds its centroid.
-// It is firm if it has an added point (which lies well away from the samples) and all its added
-// points lie on that same side. Confidence and contradiction are those of `seeds`.
+// An added point lies well away from the samples, so the label of the tetrahedron of `coarse` that
+// holds it is that of all its neighbourhood: a tetrahedron of `fine` whose added points agree is
+// firm and takes their label. One without added points, or with some of both sides, takes the label
+// of the tetrahedron of `coarse` that holds its centroid, and is not firm. Confidence and
+// contradiction are those of `seeds`.
 // Complexity: near-linear, as both meshes are numbered along the same curve.
 Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                      const TetMesh& fine, Job& job);

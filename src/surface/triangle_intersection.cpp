@@ -30,6 +30,32 @@ bool parted_by_side(const Facet& f, std::size_t shared, std::span<const Vec3> po
   return false;
 }
 
+// Relative error of normal . (p - corner) against permanent . |p - corner|: eight
+// roundings, half of them in `normal`; doubled for safety. u = 2^-53.
+constexpr double plane_error = 16 * 0x1p-53;
+// What underflow may add, generously; relative to 1 + |p - corner|.
+constexpr double plane_underflow = 1e-300;
+
+// plane_side if rounded arithmetic is certain of it, else 0. Inline and cheap.
+inline int certain_plane_side(const Facet& f, Vec3 p) {
+  const Vec3 d = p - f.corner[0];
+  const Vec3 magnitude{std::abs(d.x), std::abs(d.y), std::abs(d.z)};
+  const double value = dot(f.normal, d), permanent = dot(f.permanent, magnitude);
+  const double bound =
+      plane_error * permanent + plane_underflow * (1 + magnitude.x + magnitude.y + magnitude.z);
+  if (!std::isfinite(permanent)) return 0;
+  return value > bound ? 1 : -value > bound ? -1 : 0;
+}
+
+// All of `points` are certainly strictly on one side of the plane of f.
+bool certainly_clear(const Facet& f, std::span<const Vec3> points) {
+  const int side = certain_plane_side(f, points[0]);
+  if (side == 0) return false;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (certain_plane_side(f, points[i]) != side) return false;
+  return true;
+}
+
 int plane_side(const Facet& f, Vec3 p) {
   return orient3d(f.corner[0], f.corner[1], f.corner[2], p);
 }
@@ -102,9 +128,15 @@ bool some_side_meets(const Facet& f, const Facet& g, std::size_t shared,
 }  // namespace
 
 Facet make_facet(std::span<const Vec3> points, const Triangle& triangle) {
-  Facet f{triangle, {points[triangle[0]], points[triangle[1]], points[triangle[2]]}};
-  const Vec3 n = cross(f.corner[1] - f.corner[0], f.corner[2] - f.corner[0]);
-  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  Facet f;
+  f.index = triangle;
+  f.corner = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+  const Vec3 u = f.corner[1] - f.corner[0], v = f.corner[2] - f.corner[0];
+  f.normal = cross(u, v);
+  f.permanent = {std::abs(u.y * v.z) + std::abs(u.z * v.y),
+                 std::abs(u.z * v.x) + std::abs(u.x * v.z),
+                 std::abs(u.x * v.y) + std::abs(u.y * v.x)};
+  const double x = std::abs(f.normal.x), y = std::abs(f.normal.y), z = std::abs(f.normal.z);
   // The best axis by rounded arithmetic; should it be no good, one of the others is.
   f.axis = x > y && x > z ? 0 : y > z ? 1 : 2;
   for (int tries = 0; tries < 3; ++tries) {
@@ -122,9 +154,10 @@ bool facets_meet(const Facet& a, const Facet& b) {
   const std::size_t shared = shared_first(f, g);
   if (shared == 3) return true;
   shared_first(g, f);
-  // Cheap and nearly always enough on a surface that is nearly flat.
   const std::span<const Vec3> f_rest(f.corner.data() + shared, 3 - shared);
   const std::span<const Vec3> g_rest(g.corner.data() + shared, 3 - shared);
+  if (certainly_clear(f, g_rest) || certainly_clear(g, f_rest)) return false;
+  // Where the surface is nearly flat, a line parts them, and its plane would need exact arithmetic.
   if (parted_by_side(f, shared, g_rest)) return false;
   if (shared == 2) return plane_side(f, g.corner[2]) == 0;  // coplanar: then the sides decided
   if (parted_by_side(g, shared, f_rest)) return false;

@@ -16,6 +16,10 @@ struct Facet {
   // then has, +1 or -1.
   int axis = 0;
   int turn = 0;
+  // The normal in rounded arithmetic, and what bounds its error: the sums of the magnitudes of the
+  // products it is made of.
+  Vec3 normal;
+  Vec3 permanent;
 };
 
 // The corners must be distinct and not collinear.

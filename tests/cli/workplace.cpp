@@ -86,13 +86,14 @@ bool matches(const std::string& text, const std::string& pattern) {
   return text.starts_with(pattern.substr(0, pattern.size() - 3));
 }
 
-std::string sphere_xyz(int n) {
+std::string sphere_xyz(int n, double offset) {
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   std::string text;
   for (int i = 0; i < n; ++i) {
     const double z = 1 - (2 * i + 1.0) / n, r = std::sqrt(1 - z * z), a = golden_angle * i;
     char line[96];
-    std::snprintf(line, sizeof line, "%.9f %.9f %.9f\n", r * std::cos(a), r * std::sin(a), z);
+    std::snprintf(line, sizeof line, "%.9f %.9f %.9f\n", offset + r * std::cos(a),
+                  offset + r * std::sin(a), offset + z);
     text += line;
   }
   return text;

@@ -46,7 +46,8 @@ PrintedError printed_error(const std::string& err);
 // True if `text` is `pattern`, or starts with it up to a final "...".
 bool matches(const std::string& text, const std::string& pattern);
 
-// n points of a sphere of radius 1 as text, a spiral: evenly spread and in general position.
-std::string sphere_xyz(int n);
+// n points of a sphere of radius 1 as text, a spiral: evenly spread and in general position. The
+// centre is at (offset, offset, offset).
+std::string sphere_xyz(int n, double offset = 0);
 
 }  // namespace arris::test
