@@ -65,8 +65,7 @@ struct LongVec3 {
   DoubleDouble x, y, z;
 };
 LongVec3 difference(Vec3 a, Vec3 b) {
-  return {DoubleDouble::sum(a.x, -b.x), DoubleDouble::sum(a.y, -b.y),
-          DoubleDouble::sum(a.z, -b.z)};
+  return {DoubleDouble::sum(a.x, -b.x), DoubleDouble::sum(a.y, -b.y), DoubleDouble::sum(a.z, -b.z)};
 }
 LongVec3 long_cross(const LongVec3& a, const LongVec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -66,9 +66,9 @@ bool is_exact(const std::vector<Vec3>& positions, double bound = 1) {
 
 TEST(Prepare, KeepsEveryBitOfSurveyCoordinates) {
   EXPECT_TRUE(is_exact(cloud_at(500, 0.7, {}, 1)));
-  EXPECT_TRUE(is_exact(cloud_at(500, 40, {500123.456, 5412345.678, 321.098}, 2)));    // UTM
-  EXPECT_TRUE(is_exact(cloud_at(500, 0.5, {4027893.9, 307045.6, 4919474.9}, 3)));     // ECEF
-  EXPECT_TRUE(is_exact(cloud_at(500, 3, {-2694045.1, -4293642.2, 3857878.3}, 4)));    // ECEF
+  EXPECT_TRUE(is_exact(cloud_at(500, 40, {500123.456, 5412345.678, 321.098}, 2)));  // UTM
+  EXPECT_TRUE(is_exact(cloud_at(500, 0.5, {4027893.9, 307045.6, 4919474.9}, 3)));   // ECEF
+  EXPECT_TRUE(is_exact(cloud_at(500, 3, {-2694045.1, -4293642.2, 3857878.3}, 4)));  // ECEF
   EXPECT_TRUE(is_exact(cloud_at(500, 1e-3, {5e6 + 0.1, 4e5 + 0.2, 100.3}, 5)));
 }
 
@@ -98,8 +98,8 @@ TEST(Prepare, MergesDuplicatesIntoTheFirst) {
 }
 
 TEST(Prepare, ZeroHasNoSign) {
-  std::vector<Vec3> points = {{-0.0, 0, 0}, {0, -0.0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
-                              {0, 0, 1},    {1, -0.0, 0}};
+  std::vector<Vec3> points = {{-0.0, 0, 0}, {0, -0.0, 0}, {0, 0, 0},   {1, 0, 0},
+                              {0, 1, 0},    {0, 0, 1},    {1, -0.0, 0}};
   const Samples samples = prepare(points);
   EXPECT_EQ(samples.points.size(), 4u);
   EXPECT_EQ(samples.duplicates, 3u);
