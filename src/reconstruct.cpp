@@ -111,6 +111,15 @@ void run_swaps(const Stage& stage, double share, Labels& labels, Report& report,
   report.swaps = swaps.accepted;
 }
 
+void require_attributes(const PointCloud& cloud) {
+  for (const Attribute& a : cloud.attributes)
+    if (a.values.size() != cloud.positions.size())
+      throw Failure(ErrorCode::usage,
+                    "attribute '" + a.name + "' has " + std::to_string(a.values.size()) +
+                        " values for " + std::to_string(cloud.positions.size()) + " points",
+                    "give one value per point");
+}
+
 void require_inside(const Labels& labels) {
   if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
     throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
@@ -122,6 +131,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   Reconstruction result;
   Report& report = result.report;
   const Options options = report.options = resolve_options(given);
+  require_attributes(cloud);
   require_memory(cloud.positions.size(), options, context);
   const Shares& shares = options.background > 0 ? paper_shares : automatic_shares;
 

@@ -41,6 +41,7 @@ void Job::stage(std::string name, double share) {
 
 void Job::finish() {
   end_stage();
+  done_ = 1;  // whatever stages were left out
   if (!stages_.empty()) tell(1, true);
 }
 

@@ -85,7 +85,8 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-// The local frame keeps coordinates within [-1, 1]: 21 bits an axis.
+// The local frame keeps coordinates within [-1, 1]: 21 bits an axis. (Within [-8, 8] at the end of
+// the exponent range, where the curve is only less local.)
 std::uint64_t morton_key(Vec3 local) {
   const auto cell = [](double c) {
     return static_cast<std::uint64_t>(std::clamp((c + 1) * 0x1p20, 0.0, 0x1p21 - 1));

@@ -24,9 +24,8 @@ constexpr double weakest_cosine = 0.2;
 
 // Angles, not cosines, are quantised: nearly all strong votes have |cos| close to 1.
 Vote make_vote(double cosine) {
-  const double magnitude = std::min(1.0, std::abs(cosine));
-  if (!(magnitude >= weakest_cosine)) return {};
-  const double level = 1 - std::acos(magnitude) / (std::numbers::pi / 2);
+  if (!(std::abs(cosine) >= weakest_cosine)) return {};  // not a number neither
+  const double level = 1 - std::acos(std::min(1.0, std::abs(cosine))) / (std::numbers::pi / 2);
   const auto strength = static_cast<std::uint8_t>(level * (Votes::levels - 2)) + 1;
   return {static_cast<std::uint8_t>(strength), cosine < 0};
 }
@@ -67,9 +66,11 @@ class Collector {
     if (!mesh_.is_finite(n)) return hull_vote(t, i);
     if (n < t || !voting_[n]) return {};
     const Circumball &a = balls_[t], &b = balls_[n];
-    return make_vote(
-        (a.radius * a.radius + b.radius * b.radius - squared_length(a.centre - b.centre)) /
-        (2 * a.radius * b.radius));
+    // By the angle at a shared corner: the law of cosines of the three distances loses all digits
+    // if one ball is much larger, as those of slivers are.
+    const Vec3 shared =
+        mesh_.points[mesh_.vertices[t][static_cast<std::size_t>(facet_corners[i][0])]];
+    return make_vote(dot(1 / a.radius * (a.centre - shared), 1 / b.radius * (b.centre - shared)));
   }
 
   // The ball of an infinite tetrahedron is the half space beyond its hull facet.

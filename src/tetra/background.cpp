@@ -77,6 +77,44 @@ Lattice choose_lattice(const std::vector<Vec3>& samples, double per_sample) {
   return lattice;
 }
 
+// Rounding to the user's frame moves lattice points by up to half a step of it, and the jitter
+// leaves them at least 0.17 lattice constants apart: with this many steps to a constant, no two
+// fall together.
+constexpr double steps_apart = 16;
+
+// The distance of neighbouring doubles in the user's frame where it is largest, in the local one.
+double coarsest_step(const Lattice& lattice, const LocalFrame& frame) {
+  const auto reach = [&](Vec3 local) {
+    const Vec3 p = frame.to_user(local);
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  const auto along = [&](std::size_t axis) {
+    return lattice.cell * static_cast<double>(lattice.cells[axis] + 1);
+  };
+  const Vec3 end = lattice.origin + Vec3{along(0), along(1), along(2)};
+  return std::max(reach(lattice.origin), reach(end)) * 0x1p-52 * frame.scale;
+}
+
+// Keeps the first of equal points.
+void drop_repeats(Background& background) {
+  const std::vector<Vec3>& points = background.points;
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return lexicographic_less(points[a], points[b]);
+  });
+  order.erase(std::unique(order.begin(), order.end(),
+                          [&](std::size_t a, std::size_t b) { return points[a] == points[b]; }),
+              order.end());
+  std::sort(order.begin(), order.end());
+  Background kept;
+  for (std::size_t k : order) {
+    kept.points.push_back(points[k]);
+    kept.nearest.push_back(background.nearest[k]);
+  }
+  background = std::move(kept);
+}
+
 }  // namespace
 
 Background background_points(const std::vector<Vec3>& samples, const std::vector<double>& spacing,
@@ -93,6 +131,7 @@ Background background_points(const std::vector<Vec3>& samples, const std::vector
     background.points.push_back(p);
     background.nearest.push_back(hit.index);
   }
+  if (lattice.cell < steps_apart * coarsest_step(lattice, frame)) drop_repeats(background);
   return background;
 }
 

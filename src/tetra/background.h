@@ -16,7 +16,8 @@ struct Background {
 
 // A jittered body-centred lattice over the padded box of the samples, `per_sample` points a sample
 // before those nearer than `clearance` spacings to a sample are left out. The jitter is a hash of
-// the lattice cell: same input, same points. Every point is exact in the user's frame too.
+// the lattice cell: same input, same points. Every point is exact in the user's frame too, and
+// all are distinct.
 // Complexity: O(m log n) for m points.
 Background background_points(const std::vector<Vec3>& samples, const std::vector<double>& spacing,
                              const LocalFrame& frame, double per_sample, Job& job);

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/vec.h"
+#include "tetra/double_double.h"
 
 namespace arris {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 // A point inside a well-sampled surface has about six neighbours on it, of which the fourth
 // nearest is at the typical distance for regular, blue-noise and random sampling alike.
 constexpr std::size_t spacing_rank = 4;
+
+// In the local frame, whose extent is about 1. Costs are divided by the cube of the spacing, which
+// must neither underflow nor make them overflow.
+constexpr double smallest_spacing = 0x1p-200;
 
 struct Edge {
   double squared_length;
@@ -44,14 +49,57 @@ std::size_t shortest_edges(const TetMesh& mesh, const Stars& stars, Index v,
   return count;
 }
 
+// The circumcentre seen from a corner is `numerator` / (2 `det`).
+struct Centre {
+  Vec3 numerator;
+  double det = 0;
+};
+
+Centre plain_centre(Vec3 u, Vec3 v, Vec3 w) {
+  return {squared_length(u) * cross(v, w) + squared_length(v) * cross(w, u) +
+              squared_length(w) * cross(u, v),
+          dot(u, cross(v, w))};
+}
+
+struct LongVec3 {
+  DoubleDouble x, y, z;
+};
+LongVec3 difference(Vec3 a, Vec3 b) {
+  return {DoubleDouble::sum(a.x, -b.x), DoubleDouble::sum(a.y, -b.y), DoubleDouble::sum(a.z, -b.z)};
+}
+LongVec3 long_cross(const LongVec3& a, const LongVec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+DoubleDouble long_dot(const LongVec3& a, const LongVec3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+Centre long_centre(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const LongVec3 u = difference(b, a), v = difference(c, a), w = difference(d, a);
+  const LongVec3 vw = long_cross(v, w), wu = long_cross(w, u), uv = long_cross(u, v);
+  const DoubleDouble uu = long_dot(u, u), vv = long_dot(v, v), ww = long_dot(w, w);
+  return {{(uu * vw.x + vv * wu.x + ww * uv.x).hi, (uu * vw.y + vv * wu.y + ww * uv.y).hi,
+           (uu * vw.z + vv * wu.z + ww * uv.z).hi},
+          long_dot(u, vw).hi};
+}
+
+// Below this share of the product of the three edge lengths, the volume of a tetrahedron computed
+// in doubles has lost more than half of its bits, and with it the circumcentre.
+constexpr double flat_for_double = 0x1p-26;
+// The same for double-double numbers.
+constexpr double flat_for_double_double = 0x1p-78;
+
 }  // namespace
 
 Circumball circumball(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
-  const double twice_det = 2 * dot(u, cross(v, w));
-  const Vec3 from_a = 1 / twice_det *
-                      (squared_length(u) * cross(v, w) + squared_length(v) * cross(w, u) +
-                       squared_length(w) * cross(u, v));
+  const double box = length(u) * length(v) * length(w);
+  Centre centre = plain_centre(u, v, w);
+  if (!(std::abs(centre.det) > flat_for_double * box)) {
+    centre = long_centre(a, b, c, d);
+    if (!(std::abs(centre.det) > flat_for_double_double * box)) centre.det = 0;
+  }
+  const Vec3 from_a = 0.5 / centre.det * centre.numerator;
   if (!is_finite(from_a)) return {a, std::numeric_limits<double>::infinity()};
   return {a + from_a, length(from_a)};
 }
@@ -73,7 +121,7 @@ std::vector<double> sample_spacing(const TetMesh& mesh, const Stars& stars, unsi
   parallel_for(raw.size(), threads, [&](std::size_t v) {
     const std::size_t count = shortest_edges(mesh, stars, static_cast<Index>(v), edges[v]);
     counts[v] = static_cast<std::uint8_t>(count);
-    raw[v] = std::sqrt(edges[v][count - 1].squared_length);
+    raw[v] = std::max(std::sqrt(edges[v][count - 1].squared_length), smallest_spacing);
   });
   parallel_for(raw.size(), threads, [&](std::size_t v) {
     std::array<double, spacing_rank + 1> around;

@@ -36,9 +36,8 @@ TEST(Delaunay, IsAClosedTriangulationOfSpace) {
       EXPECT_EQ(mesh.neighbours[n][static_cast<std::size_t>(mesh.facet_to(n, t))], t);
     if (mesh.is_finite(t)) {
       const auto& v = mesh.vertices[t];
-      EXPECT_EQ(orient3d(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]],
-                         mesh.points[v[3]]),
-                1);
+      EXPECT_EQ(
+          orient3d(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]), 1);
     }
   }
 }

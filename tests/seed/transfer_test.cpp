@@ -1,0 +1,70 @@
+#include "seed/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include "seed/solids.h"
+#include "tetra/background.h"
+
+namespace arris {
+namespace {
+
+using namespace test;
+
+// Coarse labels by formula, carried to a mesh with background points.
+struct Carried {
+  Measured coarse;
+  Labels labels;
+  TetMesh fine;
+  Seeds given, seeds;
+
+  explicit Carried(const KnownSolid& solid, unsigned threads = 1) : coarse(solid.samples) {
+    OneStageJob job(threads);
+    const std::size_t n = solid.samples.size();
+    labels.assign(coarse.mesh.size(), 0);
+    for (Tet t = 0; t < coarse.mesh.finite; ++t)
+      labels[t] = solid.distance(centroid_of(coarse.mesh, t)) < 0;
+    const Background background =
+        background_points(solid.samples, coarse.spacing, LocalFrame{}, 10, job);
+    std::vector<Vec3> points = solid.samples;
+    points.insert(points.end(), background.points.begin(), background.points.end());
+    fine = delaunay(points, n, job);
+    fine.nearest = nearest_samples(n, background);
+    given = find_seeds(coarse.mesh, coarse.stars, coarse.balls, coarse.spacing, job);
+    seeds = transfer_seeds(coarse.mesh, labels, given, fine, job);
+  }
+};
+
+TEST(TransferSeeds, EveryTetrahedronGetsALabelAndFirmOnesAreRight) {
+  for (const KnownSolid& solid : known_solids(600)) {
+    const Carried c(solid);
+    std::size_t firm = 0;
+    ASSERT_EQ(c.seeds.label.size(), c.fine.finite);
+    ASSERT_EQ(c.seeds.firm.size(), c.fine.finite);
+    for (Tet t = 0; t < c.fine.finite; ++t) {
+      EXPECT_NE(c.seeds.label[t], seed_free);
+      if (!c.seeds.firm[t]) continue;
+      ++firm;
+      const double d = solid.distance(centroid_of(c.fine, t));
+      const double h = c.coarse.spacing[c.fine.nearest_sample(c.fine.vertices[t][0])];
+      if (std::abs(d) < 0.25 * h) continue;
+      EXPECT_EQ(c.seeds.label[t], d < 0 ? seed_inside : seed_outside) << solid.name << " " << d;
+    }
+    EXPECT_GT(firm, c.fine.finite / 10) << solid.name;
+  }
+}
+
+TEST(TransferSeeds, ConfidenceIsCarried) {
+  const Carried c(known_solids(600)[2]);
+  EXPECT_EQ(c.seeds.confidence, c.given.confidence);
+  EXPECT_EQ(c.seeds.contradiction, c.given.contradiction);
+}
+
+TEST(TransferSeeds, DoNotDependOnThreads) {
+  const KnownSolid torus = known_solids(600)[2];
+  const Carried one(torus, 1), three(torus, 3);
+  EXPECT_EQ(one.seeds.label, three.seeds.label);
+  EXPECT_EQ(one.seeds.firm, three.seeds.firm);
+}
+
+}  // namespace
+}  // namespace arris
