@@ -54,7 +54,8 @@ class Spreading {
 
   void run(Job& job) {
     std::vector<Tet> star;
-    for (std::size_t k = 0; !queue_.empty(); ++k) {
+    std::vector<std::size_t> asked(mesh_.points.size(), 0);  // in which step, each vertex once
+    for (std::size_t k = 1; !queue_.empty(); ++k) {
       if (k % 65536 == 0) job.tick(0.5);
       const auto [squared, v, facet] = queue_.top();
       queue_.pop();
@@ -62,7 +63,11 @@ class Spreading {
       star.clear();
       collect_star(mesh_, v, seeds_[v], star);
       for (Tet t : star)
-        for (Index w : mesh_.vertices[t]) offer(w, facet);
+        for (Index w : mesh_.vertices[t]) {
+          if (w == infinite_vertex || asked[w] == k) continue;
+          asked[w] = k;
+          offer(w, facet);
+        }
     }
   }
 
