@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <numeric>
+#include <vector>
 
 namespace arris {
 
@@ -23,6 +25,20 @@ void parallel_for(std::size_t n, unsigned threads, Body&& body) {
   parallel_chunks(n, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
+}
+
+// Sum of value(i) over [0, n): chunk by chunk and then over the chunks in order, so the rounding is
+// the same for every thread count.
+template <class Value>
+double parallel_sum(std::size_t n, unsigned threads, Value&& value) {
+  constexpr std::size_t grain = 8192;
+  std::vector<double> partial((n + grain - 1) / grain, 0);
+  parallel_chunks(n, grain, threads, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += value(i);
+    partial[begin / grain] = sum;
+  });
+  return std::accumulate(partial.begin(), partial.end(), 0.0);
 }
 
 }  // namespace arris

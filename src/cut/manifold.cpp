@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/parallel.h"
+
 namespace arris {
 namespace {
 
@@ -49,17 +51,26 @@ void find_parts(const TetMesh& mesh, const Labels& labels, std::span<const Tet> 
   }
 }
 
+bool is_regular(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star, Index v,
+                Parts& parts) {
+  bool mixed = false;
+  for (Tet t : star) mixed = mixed || labels[t] != labels[star[0]];
+  if (!mixed) return true;
+  find_parts(mesh, labels, star, v, parts);
+  return parts.count[0] <= 1 && parts.count[1] <= 1;
+}
+
 class Untangler {
  public:
   Untangler(const TetMesh& mesh, const Stars& stars, const FacetCost& cost, Labels& labels)
       : mesh_(mesh), stars_(stars), cost_(cost), labels_(labels), flips_(mesh.size(), 0) {}
 
   std::uint64_t run(Job& job) {
-    std::vector<Index> queue = surface_vertices();
+    std::vector<Index> queue = singular_vertices(job.threads());
     queued_.assign(mesh_.points.size(), 0);
     for (Index v : queue) queued_[v] = 1;
     for (std::size_t k = 0; k < queue.size(); ++k) {
-      if (k % 65536 == 0) job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
+      if (k % 4096 == 0) job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
       const Index v = queue[k];
       queued_[v] = 0;
       while (repair(v)) {
@@ -75,18 +86,17 @@ class Untangler {
   }
 
  private:
-  std::vector<Index> surface_vertices() const {
-    std::vector<std::uint8_t> on(mesh_.points.size(), 0);
-    for (std::size_t t = 0; t < mesh_.size(); ++t) {
-      if (!labels_[t]) continue;
-      for (std::size_t i = 0; i < 4; ++i)
-        if (!labels_[mesh_.neighbours[t][i]])
-          for (int corner : facet_corners[i])
-            on[mesh_.vertices[t][static_cast<std::size_t>(corner)]] = 1;
-    }
+  std::vector<Index> singular_vertices(unsigned threads) const {
+    std::vector<std::uint8_t> singular(mesh_.points.size());
+    parallel_chunks(singular.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+      Parts parts;
+      for (std::size_t v = begin; v < end; ++v)
+        singular[v] = !is_regular(mesh_, labels_, stars_[static_cast<Index>(v)],
+                                  static_cast<Index>(v), parts);
+    });
     std::vector<Index> list;
-    for (std::size_t v = 0; v < on.size(); ++v)
-      if (on[v]) list.push_back(static_cast<Index>(v));
+    for (std::size_t v = 0; v < singular.size(); ++v)
+      if (singular[v]) list.push_back(static_cast<Index>(v));
     return list;
   }
 
@@ -173,8 +183,7 @@ class Untangler {
 bool is_regular_vertex(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star,
                        Index v) {
   Parts parts;
-  find_parts(mesh, labels, star, v, parts);
-  return parts.count[0] <= 1 && parts.count[1] <= 1;
+  return is_regular(mesh, labels, star, v, parts);
 }
 
 std::uint64_t make_manifold(const TetMesh& mesh, const Stars& stars, const FacetCost& cost,

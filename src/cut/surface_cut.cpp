@@ -40,18 +40,21 @@ CutProblem make_problem(const TetMesh& mesh, const EnergyModel& model, const See
     problem.seed[t] = is_soft(seeds, tet) ? seed_free : seeds.label[t];
   });
   problem.capacity.assign(mesh.size(), {0, 0, 0, 0});
-  problem.preference.assign(mesh.size(), 0);
-  parallel_for(mesh.size(), threads, [&](std::size_t t) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Tet n = mesh.neighbours[t][i];
-      if (problem.seed[t] != seed_free && problem.seed[n] != seed_free) continue;
-      const double cost =
-          facet_cost(mesh, model, curvature, static_cast<Tet>(t), static_cast<int>(i));
-      problem.capacity[t][i] = capacity(cost);
-      sum += problem.capacity[t][i];
+  parallel_for(mesh.size(), threads, [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
+    for (int f = 0; f < 4; ++f) {  // each facet from its lower side, for both
+      const Tet n = mesh.neighbours[t][static_cast<std::size_t>(f)];
+      if (n < t || (problem.seed[t] != seed_free && problem.seed[n] != seed_free)) continue;
+      const std::int32_t both = capacity(facet_cost(mesh, model, curvature, t, f));
+      problem.capacity[t][static_cast<std::size_t>(f)] = both;
+      problem.capacity[n][static_cast<std::size_t>(mesh.facet_to(n, t))] = both;
     }
-    if (t >= mesh.finite || problem.seed[t] != seed_free || seeds.label[t] == seed_free) return;
+  });
+  problem.preference.assign(mesh.size(), 0);
+  parallel_for(mesh.finite, threads, [&](std::size_t t) {
+    if (problem.seed[t] != seed_free || seeds.label[t] == seed_free) return;
+    const auto& c = problem.capacity[t];
+    const double sum = static_cast<double>(c[0]) + c[1] + c[2] + c[3];
     const double sign = seeds.label[t] == seed_inside ? 1 : -1;
     problem.preference[t] = static_cast<std::int64_t>(sign * std::floor(seed_trust * sum));
   });

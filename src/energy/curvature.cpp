@@ -2,23 +2,25 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
+
 namespace arris {
 namespace {
 
-// Calls visit(t, i) for every boundary facet, seen from its inside tetrahedron.
+// Calls visit(t, i) for every boundary facet of t, if t is inside.
 template <class Visit>
-void for_boundary_facets(const TetMesh& mesh, const Labels& labels, Visit&& visit) {
-  for (Tet t = 0; t < mesh.finite; ++t)
-    if (labels[t] != 0)
-      for (int i = 0; i < 4; ++i)
-        if (labels[mesh.neighbours[t][static_cast<std::size_t>(i)]] == 0) visit(t, i);
+void for_boundary_facets(const TetMesh& mesh, const Labels& labels, Tet t, Visit&& visit) {
+  if (labels[t] == 0) return;
+  for (int i = 0; i < 4; ++i)
+    if (labels[mesh.neighbours[t][static_cast<std::size_t>(i)]] == 0) visit(t, i);
 }
 
 // Sum over the boundary edges of weight(u, v) x turning angle.
 template <class Weight>
-double sum_over_edges(const TetMesh& mesh, const Labels& labels, Weight&& weight) {
-  double sum = 0;
-  for_boundary_facets(mesh, labels, [&](Tet t, int i) {
+double sum_over_edges(const TetMesh& mesh, const Labels& labels, unsigned threads,
+                      Weight&& weight) {
+  const auto at_facet = [&](Tet t, int i) {
+    double sum = 0;
     const Vec3 normal = facet_normal(mesh, t, i);
     const auto& corners = facet_corners[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -30,8 +32,14 @@ double sum_over_edges(const TetMesh& mesh, const Labels& labels, Weight&& weight
       const Index v = mesh.vertices[t][static_cast<std::size_t>(corners[(k + 2) % 3])];
       sum += weight(u, v) * turning_angle(normal, facet_normal(mesh, end.t, end.out));
     }
+    return sum;
+  };
+  return parallel_sum(mesh.finite, threads, [&](std::size_t t) {
+    double sum = 0;
+    for_boundary_facets(mesh, labels, static_cast<Tet>(t),
+                        [&](Tet, int i) { sum += at_facet(static_cast<Tet>(t), i); });
+    return sum;
   });
-  return sum;
 }
 
 }  // namespace
@@ -76,25 +84,27 @@ std::array<VertexCurvature, 3> facet_curvature(const TetMesh& mesh, const Energy
 }
 
 double total_mean_curvature(const TetMesh& mesh, const Labels& labels) {
-  return sum_over_edges(mesh, labels, [&](Index u, Index v) {
+  return sum_over_edges(mesh, labels, 1, [&](Index u, Index v) {
     return 0.5 * distance(mesh.points[u], mesh.points[v]);
   });
 }
 
-double polyhedral_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels) {
-  return sum_over_edges(mesh, labels,
+double polyhedral_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels,
+                         unsigned threads) {
+  return sum_over_edges(mesh, labels, threads,
                         [&](Index u, Index v) { return edge_cost(mesh, model, u, v); });
 }
 
 double cotangent_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels) {
   std::vector<VertexCurvature> at(mesh.points.size());
-  for_boundary_facets(mesh, labels, [&](Tet t, int i) {
+  const auto add_facet = [&](Tet t, int i) {
     const auto terms = facet_curvature(mesh, model, t, i);
     for (std::size_t k = 0; k < 3; ++k) {
       const int corner = facet_corners[static_cast<std::size_t>(i)][k];
       at[mesh.vertices[t][static_cast<std::size_t>(corner)]] += terms[k];
     }
-  });
+  };
+  for (Tet t = 0; t < mesh.finite; ++t) for_boundary_facets(mesh, labels, t, add_facet);
   double sum = 0;
   for (const VertexCurvature& v : at) sum += v.cost(model);
   return sum;

@@ -57,7 +57,8 @@ double total_mean_curvature(const TetMesh& mesh, const Labels& labels);
 
 // The curvature part of E for the whole boundary of the labels, dimensionless. The boundary must be
 // a 2-manifold. Complexity: O(size of the mesh).
-double polyhedral_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels);
+double polyhedral_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels,
+                         unsigned threads = 1);
 double cotangent_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels);
 
 }  // namespace arris

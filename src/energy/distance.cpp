@@ -15,7 +15,10 @@ using Corners = std::array<Vec3, 3>;
 // opposite it. Odd in q, so a triangle is the sum of two, or their difference.
 double right_triangle(double p, double q) {
   if (p <= 0) return 0;
-  return p / 6 * (q * std::sqrt(p * p + q * q) + p * p * std::asinh(q / p));
+  const double r = std::sqrt(p * p + q * q);
+  // asinh(q / p), odd and without cancellation.
+  const double angle = std::copysign(std::log((std::abs(q) + r) / p), q);
+  return p / 6 * (q * r + p * p * angle);
 }
 
 // The Voronoi diagram of three points inside their own triangle: the integral of the distance to

@@ -13,7 +13,7 @@ namespace {
 // Tetrahedra with a circumradius below this many spacings do not vote: a triangle of a surface
 // sampled at spacing h has a circumradius of about 0.6 h, so smaller balls lie within the sampling
 // noise of the surface and say nothing about its sides. Measured on 152 clean clouds (feature,
-// blue, uniform, graded): right topology on 149 at 0.6, 148 at 0.7, 141 at 1.0, 125 at 1.3.
+// blue, uniform, graded): right topology on 149 at 0.6, 147 at 0.7, 141 at 1.0, 125 at 1.3.
 constexpr double smallest_voting_radius = 0.6;
 
 // A pole closer than this many spacings is no pole: its direction is that of a sliver.

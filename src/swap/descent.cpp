@@ -2,7 +2,16 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
+
 namespace arris {
+namespace {
+
+// How far above its start, in E, a chain may climb: about three typical facets. On eight clouds of
+// all kinds, 1/4 reached E within 0.02 % of what no bound reaches, in 60 % of the time.
+constexpr double highest_climb = 0.25;
+
+}  // namespace
 
 Index Descent::lost_sample(Tet t) const noexcept {
   if (!options_.keep_samples) return no_index;
@@ -10,9 +19,23 @@ Index Descent::lost_sample(Tet t) const noexcept {
   return v != no_index && boundary_.mesh().is_sample(v) ? v : no_index;
 }
 
+std::vector<Outlook> Descent::survey(unsigned threads) {
+  std::vector<Outlook> outlooks(boundary_.mesh().finite);
+  fidelity_.fill(threads, [this](Tet t) { return boundary_.facets(t) != 0; });
+  parallel_for(outlooks.size(), threads,
+               [&](std::size_t t) { outlooks[t] = outlook(static_cast<Tet>(t)); });
+  return outlooks;
+}
+
+Outlook Descent::outlook(Tet t) const {
+  if (boundary_.facets(t) == 0 || !may_move(t) || !boundary_.is_simple(t)) return {};
+  const Change change = flip_change(boundary_, model_, fidelity_, t);
+  return {change.lowers() && lost_sample(t) == no_index, change.value <= highest_climb};
+}
+
 bool Descent::try_flip(Tet t) {
   if (!may_move(t) || lost_sample(t) != no_index || !boundary_.is_simple(t)) return false;
-  change_ = flip_change(boundary_, model_, t);
+  change_ = flip_change(boundary_, model_, fidelity_, t);
   if (!change_.lowers()) return false;
   boundary_.flip(t);
   chain_.assign(1, t);
@@ -27,11 +50,11 @@ bool Descent::try_chain(Tet t) {
   chain_.clear();
   lost_.clear();
   change_ = {};
-  Change step = flip_change(boundary_, model_, t);
+  Change step = flip_change(boundary_, model_, fidelity_, t);
   for (Tet next = t; next != no_tet; next = cheapest_next(step)) {
     extend(next, step);
     if (succeeds()) return true;
-    if (chain_.size() == longest) break;
+    if (chain_.size() == longest || change_.value > highest_climb) break;
   }
   undo();
   return false;
@@ -54,7 +77,7 @@ Tet Descent::cheapest_next(Change& change) {
   Tet best = no_tet;
   for (Tet t : candidates_) {
     if (!may_move(t) || !boundary_.is_simple(t)) continue;
-    const Change c = flip_change(boundary_, model_, t);
+    const Change c = flip_change(boundary_, model_, fidelity_, t);
     if (best == no_tet || c.value < change.value) {
       best = t;
       change = c;

@@ -8,13 +8,22 @@
 
 namespace arris {
 
+// Which moves could be accepted from the surface as it stands.
+struct Outlook {
+  bool flip = false;   // a single flip lowers E
+  bool chain = false;  // a chain may begin here
+};
+
 class Descent {
  public:
   // Holds on to all of them.
   Descent(const TetMesh& mesh, const EnergyModel& model, const SwapOptions& options, Labels& labels)
-      : boundary_(mesh, labels), model_(model), options_(options) {}
+      : boundary_(mesh, labels), fidelity_(mesh, model), model_(model), options_(options) {}
 
   const Boundary& boundary() const noexcept { return boundary_; }
+
+  // What every finite tetrahedron is good for as the surface stands.
+  std::vector<Outlook> survey(unsigned threads);
 
   // Flips t if that is allowed and lowers E (paper, algorithm 1).
   bool try_flip(Tet t);
@@ -35,6 +44,7 @@ class Descent {
   bool may_move(Tet t) const noexcept {
     return boundary_.mesh().is_finite(t) && (options_.frozen.empty() || options_.frozen[t] == 0);
   }
+  Outlook outlook(Tet t) const;
   // The sample that a simple flip of t takes off the surface, if those must stay; or no_index.
   Index lost_sample(Tet t) const noexcept;
   void extend(Tet t, const Change& change);
@@ -44,6 +54,7 @@ class Descent {
   void undo();
 
   Boundary boundary_;
+  FidelityCosts fidelity_;
   const EnergyModel& model_;
   const SwapOptions& options_;
   std::vector<Tet> chain_, candidates_;

@@ -83,11 +83,11 @@ void add_cotangent(const Boundary& boundary, const EnergyModel& model, Tet t, un
 
 }  // namespace
 
-Change flip_change(const Boundary& boundary, const EnergyModel& model, Tet t) {
+Change flip_change(const Boundary& boundary, const EnergyModel& model,
+                   const FidelityCosts& fidelity, Tet t) {
   const unsigned mask = boundary.facets(t);
   Change change;
-  for (int i = 0; i < 4; ++i)
-    change.add(fidelity_cost(boundary.mesh(), model, t, i), has(mask, i) ? -1 : 1);
+  for (int i = 0; i < 4; ++i) change.add(fidelity(t, i), has(mask, i) ? -1 : 1);
   if (model.curvature == Curvature::cotangent)
     add_cotangent(boundary, model, t, mask, change);
   else

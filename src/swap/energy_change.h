@@ -1,6 +1,7 @@
 // What the flip of one tetrahedron does to E.
 #pragma once
 
+#include "energy/facet.h"
 #include "energy/model.h"
 #include "swap/boundary.h"
 
@@ -30,6 +31,7 @@ struct Change {
 // E after a flip of t, less E before. The flip must be simple.
 // Complexity: six edges (polyhedral) or four vertices (cotangent) of the surface, with the
 // tetrahedra round them.
-Change flip_change(const Boundary& boundary, const EnergyModel& model, Tet t);
+Change flip_change(const Boundary& boundary, const EnergyModel& model,
+                   const FidelityCosts& fidelity, Tet t);
 
 }  // namespace arris

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "energy/curvature.h"
 #include "swap/descent.h"
 
@@ -48,9 +49,9 @@ class Swapper {
         seen_(mesh.size(), 0) {}
 
   SwapResult run() {
-    energy_ = total_energy(mesh_, model_, descent_.boundary().labels());
+    energy_ = total_energy(mesh_, model_, descent_.boundary().labels(), job_.threads());
     result_.energy.push_back(energy_);
-    for (Tet t = 0; t < mesh_.finite; ++t) push(t);
+    push_promising();
     while (!flips_.empty() || !chains_.empty()) {
       // Chains are dear: only what single flips leave behind is worth one.
       if (!flips_.empty())
@@ -81,6 +82,16 @@ class Swapper {
     ++result_.accepted;
     result_.flipped += flipped.size();
     for (Tet t : flipped) push_round(t);
+  }
+
+  // Most tetrahedra next to the surface are of no use as it stands: all are examined in parallel,
+  // before the first move. Later moves push what they change.
+  void push_promising() {
+    const std::vector<Outlook> outlook = descent_.survey(job_.threads());
+    for (Tet t = 0; t < mesh_.finite; ++t) {
+      if (outlook[t].flip) flips_.push(t);
+      if (outlook[t].chain) chains_.push(t);
+    }
   }
 
   // Only a tetrahedron next to the surface can be flipped.
@@ -139,17 +150,19 @@ class Swapper {
 
 }  // namespace
 
-double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels) {
-  double fidelity = 0;
-  for (Tet t = 0; t < mesh.finite; ++t) {
-    if (labels[t] == 0) continue;
+double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels,
+                    unsigned threads) {
+  const double fidelity = parallel_sum(mesh.finite, threads, [&](std::size_t t) {
+    double sum = 0;
+    if (labels[t] == 0) return sum;
     for (int i = 0; i < 4; ++i)
       if (labels[mesh.neighbours[t][static_cast<std::size_t>(i)]] == 0)
-        fidelity += fidelity_cost(mesh, model, t, i);
-  }
+        sum += fidelity_cost(mesh, model, static_cast<Tet>(t), i);
+    return sum;
+  });
   return fidelity + (model.curvature == Curvature::cotangent
                          ? cotangent_energy(mesh, model, labels)
-                         : polyhedral_energy(mesh, model, labels));
+                         : polyhedral_energy(mesh, model, labels, threads));
 }
 
 SwapResult swap_tetrahedra(const TetMesh& mesh, const EnergyModel& model,

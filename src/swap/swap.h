@@ -24,8 +24,9 @@ struct SwapResult {
   std::uint64_t flipped = 0;   // tetrahedra, counted once per flip
 };
 
-// E of the whole boundary of the labels, from scratch.
-double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels);
+// E of the whole boundary of the labels, from scratch. The same for every number of threads.
+double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels,
+                    unsigned threads = 1);
 
 // Changes `labels` until no single flip lowers E, nor any short chain of flips tried where the last
 // moves changed something. On entry the boundary must be a 2-manifold; it stays one, with the same

@@ -64,12 +64,15 @@ void check_changes(Curvature kind) {
   const double before = total_energy(scene.mesh, scene.model, scene.labels);
   for (Tet t = 0; t < scene.mesh.finite; ++t) {
     if (!boundary.is_simple(t)) continue;
-    const Change change = flip_change(boundary, scene.model, t);
+    const Change change =
+        flip_change(boundary, scene.model, FidelityCosts(scene.mesh, scene.model), t);
     boundary.flip(t);
     const double after = total_energy(scene.mesh, scene.model, scene.labels);
     RC_ASSERT(std::abs(after - before - change.value) < 1e-11 * before);
-    RC_ASSERT(std::abs(flip_change(boundary, scene.model, t).value + change.value) <
-              1e-11 * before);
+    RC_ASSERT(
+        std::abs(
+            flip_change(boundary, scene.model, FidelityCosts(scene.mesh, scene.model), t).value +
+            change.value) < 1e-11 * before);
     boundary.flip(t);
   }
 }

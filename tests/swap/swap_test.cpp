@@ -144,7 +144,8 @@ TEST(Swap, IsDeterministicAndReachesAFixedPoint) {
   Boundary boundary(scene.mesh, first);
   for (Tet t = 0; t < scene.mesh.finite; ++t)
     if (boundary.is_simple(t) && boundary.removed_vertex(t) == no_index) {
-      EXPECT_FALSE(flip_change(boundary, scene.model, t).lowers());
+      EXPECT_FALSE(
+          flip_change(boundary, scene.model, FidelityCosts(scene.mesh, scene.model), t).lowers());
     }
 }
 
