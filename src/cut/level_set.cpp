@@ -134,13 +134,14 @@ std::vector<double> level_set_curvature(const TetMesh& mesh, const std::vector<d
   std::vector<double> flux(mesh.points.size(), 0), volume(mesh.points.size(), 0);
   for (Tet t = 0; t < mesh.finite; ++t) {
     const Element e = make_element(mesh, t);
-    Vec3 gradient;
-    for (std::size_t i = 0; i < 4; ++i)
-      gradient = gradient + distance[mesh.vertices[t][i]] * e.hat[i];
+    const auto& corners = mesh.vertices[t];
+    Vec3 gradient;  // by differences: exactly 0 where the distance is constant
+    for (std::size_t i = 1; i < 4; ++i)
+      gradient = gradient + (distance[corners[i]] - distance[corners[0]]) * e.hat[i];
     const double norm = length(gradient);
     if (!(norm > 0) || !std::isfinite(norm) || !(e.volume > 0)) continue;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Index v = mesh.vertices[t][i];
+      const Index v = corners[i];
       // Weak form: the divergence tested with the hat function of v, by parts.
       flux[v] -= e.volume * dot(e.hat[i], 1 / norm * gradient);
       volume[v] += e.volume / 4;
