@@ -54,7 +54,8 @@ class Spreading {
 
   void run(Job& job) {
     std::vector<Tet> star;
-    for (std::size_t k = 0; !queue_.empty(); ++k) {
+    std::vector<std::size_t> asked(mesh_.points.size(), 0);  // in which step, each vertex once
+    for (std::size_t k = 1; !queue_.empty(); ++k) {
       if (k % 65536 == 0) job.tick(0.5);
       const auto [squared, v, facet] = queue_.top();
       queue_.pop();
@@ -62,7 +63,11 @@ class Spreading {
       star.clear();
       collect_star(mesh_, v, seeds_[v], star);
       for (Tet t : star)
-        for (Index w : mesh_.vertices[t]) offer(w, facet);
+        for (Index w : mesh_.vertices[t]) {
+          if (w == infinite_vertex || asked[w] == k) continue;
+          asked[w] = k;
+          offer(w, facet);
+        }
     }
   }
 
@@ -129,13 +134,14 @@ std::vector<double> level_set_curvature(const TetMesh& mesh, const std::vector<d
   std::vector<double> flux(mesh.points.size(), 0), volume(mesh.points.size(), 0);
   for (Tet t = 0; t < mesh.finite; ++t) {
     const Element e = make_element(mesh, t);
-    Vec3 gradient;
-    for (std::size_t i = 0; i < 4; ++i)
-      gradient = gradient + distance[mesh.vertices[t][i]] * e.hat[i];
+    const auto& corners = mesh.vertices[t];
+    Vec3 gradient;  // by differences: exactly 0 where the distance is constant
+    for (std::size_t i = 1; i < 4; ++i)
+      gradient = gradient + (distance[corners[i]] - distance[corners[0]]) * e.hat[i];
     const double norm = length(gradient);
     if (!(norm > 0) || !std::isfinite(norm) || !(e.volume > 0)) continue;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Index v = mesh.vertices[t][i];
+      const Index v = corners[i];
       // Weak form: the divergence tested with the hat function of v, by parts.
       flux[v] -= e.volume * dot(e.hat[i], 1 / norm * gradient);
       volume[v] += e.volume / 4;

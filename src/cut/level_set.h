@@ -13,7 +13,9 @@ namespace arris {
 
 // Signed distance to the boundary of the labels at every point: negative inside. The distance to
 // the surface is exact for the triangle found; triangles spread from neighbour to neighbour in the
-// order of distance, which finds the nearest one nearly always. O(n log n).
+// order of distance, which finds the nearest one or one next to it: never too small, and at most
+// about a tenth of the spacing too large (round a ball, 22 % of points are off, by 1 % on average).
+// O(n log n).
 std::vector<double> signed_distance(const TetMesh& mesh, const Labels& labels, Job& job);
 
 // ∇·(∇d/|∇d|) at every point, in units of 1 / length; 0 where no finite tetrahedron has a gradient.

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "seed/solids.h"
+#include "support/known_solids.h"
 
 namespace arris {
 namespace {
