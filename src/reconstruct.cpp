@@ -95,7 +95,8 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
   for (int n = 0; n < cycles; ++n) {
     job.stage(cycles == 1 ? "cut" : "cut " + std::to_string(n + 1), share / cycles);
     if (n > 0)
-      curvature = level_set_curvature(stage.mesh, signed_distance(stage.mesh, labels, job));
+      curvature =
+          level_set_curvature(stage.mesh, signed_distance(stage.mesh, stage.stars, labels, job));
     SurfaceCut cut = cut_manifold(stage, curvature, report, job);
     report.cut_energy.push_back(cut.energy);
     report.free_tetrahedra = cut.free;
