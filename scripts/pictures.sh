@@ -13,7 +13,7 @@ cp "$build/demo/angel.png" "$images/scan.png"
 
 # Above, points sampled on corners, edges and faces; below, the meshes of these points alone.
 shapes="perforated_cube l_bracket dodecahedron tangled_frames"
-"$build/make_shapes" "$work" feature 2500 $shapes
+"$build/make_shapes" "$work" feature 3000 $shapes
 points="" meshes=""
 for shape in $shapes; do
   "$arris" reconstruct --quiet "$work/$shape.ply" -o "$work/$shape.off"
@@ -21,7 +21,7 @@ for shape in $shapes; do
   meshes="$meshes $work/$shape.off"
 done
 # shellcheck disable=SC2086  # the lists are split on purpose
-"$arris" render --quiet --columns 4 --size 300x280 --point-size 3 $points $meshes \
+"$arris" render --quiet --columns 4 --size 220x200 --azimuth 40 --point-size 2.5 $points $meshes \
   -o "$images/edges.png"
 
 ls -l "$images"

@@ -77,7 +77,7 @@ TEST_P(BadRender, IsRefused) {
   const Workplace place;
   place.write("m.off", tetrahedron);
   place.write("m.png", "not looked at");
-  const Outcome outcome = place.arris(std::string("render ") + GetParam().arguments);
+  const Outcome outcome = place.arris(std::string("render --quiet ") + GetParam().arguments);
   EXPECT_EQ(outcome.exit_code, GetParam().exit_code) << outcome.err;
   const PrintedError error = printed_error(outcome.err);
   EXPECT_TRUE(matches(error.message, GetParam().message)) << outcome.err;

@@ -151,7 +151,7 @@ TEST(Swap, IsDeterministicAndReachesAFixedPoint) {
 }
 
 TEST(Swap, DoesNotDependOnThreads) {
-  const Scene scene = make_scene(test::two_cubes(0.06), Curvature::polyhedral, 4);
+  const Scene scene = make_scene(test::two_cubes(0.05), Curvature::polyhedral, 4);
   ASSERT_GT(scene.mesh.finite, 16'384u);  // several chunks of a parallel loop
   Labels one = scene.labels, two = scene.labels;
   EXPECT_EQ(run(scene, one, {}, nullptr, 1).energy, run(scene, two, {}, nullptr, 2).energy);
