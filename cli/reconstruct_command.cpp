@@ -21,6 +21,7 @@ struct Arguments {
   std::string input, mesh, tetrahedra, report;
   Options options;
   RunOptions run;
+  bool confidence = false;
 };
 
 // Shares of the whole command, for the progress bar.
@@ -39,6 +40,15 @@ Result<void> write_outputs(const Arguments& arguments, const Reconstruction& res
   return {};
 }
 
+// The seed confidence as one more attribute of the vertices, unless the input has one of that name.
+void add_confidence(Reconstruction& result) {
+  const char* const name = "confidence";
+  for (const Attribute& a : result.mesh.attributes)
+    if (a.name == name) return;
+  result.mesh.attributes.push_back(
+      {name, ScalarType::f32, {result.confidence.begin(), result.confidence.end()}});
+}
+
 int run(const Arguments& arguments) {
   const Result<void> outputs = check_outputs(
       arguments.input, {{"the mesh", arguments.mesh, {".ply", ".obj", ".off", ".stl"}},
@@ -54,15 +64,15 @@ int run(const Arguments& arguments) {
   const auto cloud =
       read_points(arguments.input, make_context(arguments.run, progress, 0, read_end));
   if (!cloud) return fail(cloud.error());
-  const auto result = reconstruct(*cloud, arguments.options,
-                                  make_context(arguments.run, progress, read_end, reconstruct_end));
+  auto result = reconstruct(*cloud, arguments.options,
+                            make_context(arguments.run, progress, read_end, reconstruct_end));
   if (!result) return fail(result.error());
+  if (arguments.confidence) add_confidence(*result);
   const auto written = write_outputs(arguments, *result, progress);
   if (!written) return fail(written.error());
 
   progress.clear();
   if (!arguments.run.quiet) {
-    print_warnings(cloud->warnings);
     print_warnings(result->report.warnings);
     print_summary(arguments.mesh, result->report, progress.seconds());
     if (arguments.run.verbose) print_details(result->report);
@@ -128,6 +138,8 @@ std::function<int()> declare_reconstruct(CLI::App& app) {
   app.add_option("--report", arguments->report, "Also write a report, as JSON")
       ->check(not_empty())
       ->type_name("file");
+  app.add_flag("--confidence", arguments->confidence,
+               "Write, per vertex of a .ply, what share of the evidence there agrees");
   add_method_options(app, arguments->options);
   add_run_options(app, arguments->run);
   app.add_flag("--verbose,-v", arguments->run.verbose, "Also print counts and times per stage")

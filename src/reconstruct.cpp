@@ -38,6 +38,7 @@ constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0.05};
 // A tetrahedral mesh of the samples, what is known of its tetrahedra, and the energy to minimize.
 struct Stage {
   TetMesh mesh;
+  Stars stars;
   Seeds seeds;
   EnergyModel model;
 };
@@ -47,11 +48,11 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   job.stage("delaunay", shares.delaunay);
   stage.mesh = delaunay(samples.points, samples.points.size(), job);
   job.stage("seeds", shares.seeds);
-  const Stars stars(stage.mesh);
+  stage.stars = Stars(stage.mesh);
   stage.model = {options.lambda, options.curvature,
-                 sample_spacing(stage.mesh, stars, job.threads())};
+                 sample_spacing(stage.mesh, stage.stars, job.threads())};
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
-  stage.seeds = find_seeds(stage.mesh, stars, balls, stage.model.spacing, job);
+  stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
 }
 
@@ -60,7 +61,7 @@ SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature
                         Job& job) {
   SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
   report.manifold_flips += make_manifold(
-      stage.mesh, Stars(stage.mesh),
+      stage.mesh, stage.stars,
       [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
       cut.labels, job);
   return cut;
@@ -79,6 +80,7 @@ Stage add_background(const Stage& coarse, const Samples& samples, const Options&
   points.insert(points.end(), background.points.begin(), background.points.end());
   Stage fine;
   fine.mesh = delaunay(std::move(points), samples.points.size(), job);
+  fine.stars = Stars(fine.mesh);
   fine.mesh.nearest = nearest_samples(samples.points.size(), background);
   fine.model = coarse.model;
   for (Index near : background.nearest) fine.model.spacing.push_back(coarse.model.spacing[near]);
@@ -93,7 +95,8 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
   for (int n = 0; n < cycles; ++n) {
     job.stage(cycles == 1 ? "cut" : "cut " + std::to_string(n + 1), share / cycles);
     if (n > 0)
-      curvature = level_set_curvature(stage.mesh, signed_distance(stage.mesh, labels, job));
+      curvature =
+          level_set_curvature(stage.mesh, signed_distance(stage.mesh, stage.stars, labels, job));
     SurfaceCut cut = cut_manifold(stage, curvature, report, job);
     report.cut_energy.push_back(cut.energy);
     report.free_tetrahedra = cut.free;

@@ -36,11 +36,11 @@ double squared_distance(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
 // Spreads surface facets (numbered 4 t + i, t inside) over the edges of the mesh.
 class Spreading {
  public:
-  Spreading(const TetMesh& mesh, const Labels& labels)
+  Spreading(const TetMesh& mesh, const Stars& stars, const Labels& labels)
       : mesh_(mesh),
+        stars_(stars),
         facet_(mesh.points.size(), no_index),
-        squared_(mesh.points.size(), std::numeric_limits<double>::infinity()),
-        seeds_(star_seeds(mesh)) {
+        squared_(mesh.points.size(), std::numeric_limits<double>::infinity()) {
     for (Tet t = 0; t < mesh.finite; ++t) {
       if (!labels[t]) continue;
       for (std::uint32_t i = 0; i < 4; ++i) {
@@ -53,16 +53,18 @@ class Spreading {
   }
 
   void run(Job& job) {
-    std::vector<Tet> star;
-    for (std::size_t k = 0; !queue_.empty(); ++k) {
+    std::vector<std::size_t> asked(mesh_.points.size(), 0);  // in which step, each vertex once
+    for (std::size_t k = 1; !queue_.empty(); ++k) {
       if (k % 65536 == 0) job.tick(0.5);
       const auto [squared, v, facet] = queue_.top();
       queue_.pop();
       if (facet != facet_[v]) continue;
-      star.clear();
-      collect_star(mesh_, v, seeds_[v], star);
-      for (Tet t : star)
-        for (Index w : mesh_.vertices[t]) offer(w, facet);
+      for (Tet t : stars_[v])
+        for (Index w : mesh_.vertices[t]) {
+          if (w == infinite_vertex || asked[w] == k) continue;
+          asked[w] = k;
+          offer(w, facet);
+        }
     }
   }
 
@@ -85,9 +87,9 @@ class Spreading {
 
   using Entry = std::tuple<double, Index, std::uint32_t>;
   const TetMesh& mesh_;
+  const Stars& stars_;
   std::vector<std::uint32_t> facet_;
   std::vector<double> squared_;
-  std::vector<Tet> seeds_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
@@ -113,8 +115,9 @@ Element make_element(const TetMesh& mesh, Tet t) {
 
 }  // namespace
 
-std::vector<double> signed_distance(const TetMesh& mesh, const Labels& labels, Job& job) {
-  Spreading spreading(mesh, labels);
+std::vector<double> signed_distance(const TetMesh& mesh, const Stars& stars, const Labels& labels,
+                                    Job& job) {
+  Spreading spreading(mesh, stars, labels);
   spreading.run(job);
   std::vector<double> distance(mesh.points.size());
   for (std::size_t v = 0; v < distance.size(); ++v) distance[v] = std::sqrt(spreading.squared()[v]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "tetra/stars.h"
 #include "tetra/tet_mesh.h"
 
 namespace arris {
@@ -16,7 +17,8 @@ namespace arris {
 // order of distance, which finds the nearest one or one next to it: never too small, and at most
 // about a tenth of the spacing too large (round a ball, 22 % of points are off, by 1 % on average).
 // O(n log n).
-std::vector<double> signed_distance(const TetMesh& mesh, const Labels& labels, Job& job);
+std::vector<double> signed_distance(const TetMesh& mesh, const Stars& stars, const Labels& labels,
+                                    Job& job);
 
 // ∇·(∇d/|∇d|) at every point, in units of 1 / length; 0 where no finite tetrahedron has a gradient.
 std::vector<double> level_set_curvature(const TetMesh& mesh, const std::vector<double>& distance);

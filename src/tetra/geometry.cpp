@@ -37,6 +37,7 @@ std::size_t shortest_edges(const TetMesh& mesh, const Stars& stars, Index v,
     for (Index w : mesh.vertices[t]) {
       if (w == v || w == infinite_vertex) continue;
       const Edge edge{squared_length(mesh.points[w] - mesh.points[v]), w};
+      if (count == spacing_rank && edge.squared_length > shortest.back().squared_length) continue;
       const auto end = shortest.begin() + static_cast<std::ptrdiff_t>(count);
       const auto at = std::lower_bound(shortest.begin(), end, edge);
       if (at == shortest.end() || (at != end && *at == edge)) continue;

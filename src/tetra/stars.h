@@ -13,6 +13,7 @@ namespace arris {
 // About 27 entries a vertex near a surface; 4 bytes each.
 class Stars {
  public:
+  Stars() = default;
   explicit Stars(const TetMesh& mesh);
   std::span<const Tet> operator[](Index v) const noexcept {
     return {tets_.data() + start_[v], tets_.data() + start_[v + 1]};

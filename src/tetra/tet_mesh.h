@@ -55,10 +55,6 @@ struct TetMesh {
 // For every vertex one tetrahedron that has it (finite if there is one): the way into its star.
 std::vector<Tet> star_seeds(const TetMesh& mesh);
 
-// Appends to `star` all tetrahedra (infinite ones too) that have vertex v. `seed` has v.
-// Complexity: O(size of the star squared), which is small.
-void collect_star(const TetMesh& mesh, Index v, Tet seed, std::vector<Tet>& star);
-
 // Inside (1) or outside (0) per tetrahedron; infinite tetrahedra are outside.
 using Labels = std::vector<std::uint8_t>;
 

@@ -39,7 +39,7 @@ struct Ball {
 
   std::vector<double> distances() const {
     OneStageJob job;
-    return signed_distance(mesh, labels, job);
+    return signed_distance(mesh, Stars(mesh), labels, job);
   }
 };
 
