@@ -68,6 +68,7 @@ void print_details(const Report& report) {
   line("lambda", short_number(report.options.lambda));
   count("swaps", report.swaps);
   count("manifold flips", report.manifold_flips);
+  count("specks removed", report.specks);
   energies("energy after cuts", report.cut_energy);
   energies("energy of swaps", report.swap_energy);
   line("threads", std::to_string(report.threads));

@@ -11,6 +11,7 @@
 #include "cut/facet_costs.h"
 #include "cut/level_set.h"
 #include "cut/manifold.h"
+#include "cut/specks.h"
 #include "cut/surface_cut.h"
 #include "forecast.h"
 #include "options.h"
@@ -56,7 +57,7 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   return stage;
 }
 
-// Cut, and the manifold next to it.
+// Cut, and the manifold next to it, without specks.
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job) {
   SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
@@ -64,6 +65,7 @@ SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature
       stage.mesh, stage.stars,
       [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
       cut.labels, job);
+  report.specks = remove_specks(stage.mesh, stage.model.spacing, cut.labels);
   return cut;
 }
 

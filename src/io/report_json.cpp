@@ -106,6 +106,7 @@ std::string to_json(const Report& r) {
                      {"swap_energy", r.swap_energy},
                      {"swaps", r.swaps},
                      {"manifold_flips", r.manifold_flips},
+                     {"specks", r.specks},
                      {"stages", to_array(r.stages)},
                      {"certificate", to_object(r.certificate)},
                      {"warnings", r.warnings}};

@@ -17,8 +17,8 @@ struct Outlook {
 class Descent {
  public:
   // Holds on to all of them.
-  Descent(const TetMesh& mesh, const EnergyModel& model, const SwapOptions& options,
-          Labels& labels);
+  Descent(const TetMesh& mesh, const EnergyModel& model, const SwapOptions& options, Labels& labels)
+      : boundary_(mesh, labels), fidelity_(mesh, model), model_(model), options_(options) {}
 
   const Boundary& boundary() const noexcept { return boundary_; }
 
@@ -57,7 +57,6 @@ class Descent {
   FidelityCosts fidelity_;
   const EnergyModel& model_;
   const SwapOptions& options_;
-  const double highest_climb_;  // of E, above the start of a chain
   std::vector<Tet> chain_, candidates_;
   std::vector<Index> lost_;  // samples that the chain took off the surface, perhaps for a while
   Change change_;            // of E by the chain

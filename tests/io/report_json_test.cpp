@@ -56,6 +56,7 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "swap_energy",
                                                   "swaps",
                                                   "manifold_flips",
+                                                  "specks",
                                                   "stages",
                                                   "certificate",
                                                   "warnings"}));

@@ -69,7 +69,7 @@ TEST(Shapes, SampledEdgesOfTurnedShapesComeBackExactly) {
 // sample or two are cut off. Measured over these: volume 1.4e-4, curvature 9e-3 at most.
 TEST(Shapes, UnluckyDrawsCostLittle) {
   for (const char* name : {"nested_shells", "l_bracket"})
-    for (std::uint64_t seed : {2, 4, 5}) {
+    for (std::uint64_t seed : {2u, 4u, 5u}) {
       SCOPED_TRACE(name);
       const Shape shape = make_shape(name);
       const Deviation d = reconstruct_shape(shape, sample_feature(shape.mesh, many, seed), {});
