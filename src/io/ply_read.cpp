@@ -121,7 +121,7 @@ Shape read_body(Body body, const Source& source, const PlyHeader& header, Want w
   if (wants_vertices)
     malformed(source, "header", "declares no element vertex", "export the file with its vertices");
   if (read_all && body.has_more())
-    shape.warnings.push_back("the file goes on after the last element that its header declares");
+    shape.warnings.emplace_back("the file goes on after the last element that its header declares");
   faces.check(shape.positions.size());
   return shape;
 }
