@@ -173,6 +173,7 @@ std::function<int()> declare_render(CLI::App& app) {
   app.add_option("--caption", arguments->captions, "Text below each file, once per file, in order")
       ->take_all()
       ->expected(1)
+      ->allow_extra_args(false)  // what follows one caption is a file
       ->type_name("text");
   app.add_flag("--points", arguments->points, "Draw points even where files have faces");
   add_view_options(app, arguments->view);

@@ -38,9 +38,10 @@ Scene make_scene(const test::Solid& solid, Curvature kind, std::size_t one_in, u
 }
 
 SwapResult run(const Scene& scene, Labels& labels, const SwapOptions& options = {},
-               const std::atomic<bool>* cancel = nullptr) {
+               const std::atomic<bool>* cancel = nullptr, unsigned threads = 0) {
   Context context;
   context.cancel = cancel;
+  context.threads = threads;
   Job job(context);
   job.stage("swap", 1);
   return swap_tetrahedra(scene.mesh, scene.model, options, labels, job);
@@ -147,6 +148,14 @@ TEST(Swap, IsDeterministicAndReachesAFixedPoint) {
       EXPECT_FALSE(
           flip_change(boundary, scene.model, FidelityCosts(scene.mesh, scene.model), t).lowers());
     }
+}
+
+TEST(Swap, DoesNotDependOnThreads) {
+  const Scene scene = make_scene(test::two_cubes(0.05), Curvature::polyhedral, 4);
+  ASSERT_GT(scene.mesh.finite, 16'384u);  // several chunks of a parallel loop
+  Labels one = scene.labels, two = scene.labels;
+  EXPECT_EQ(run(scene, one, {}, nullptr, 1).energy, run(scene, two, {}, nullptr, 2).energy);
+  EXPECT_EQ(one, two);
 }
 
 TEST(Swap, CanBeCancelled) {
