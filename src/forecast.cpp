@@ -11,7 +11,7 @@ namespace arris {
 namespace {
 
 // Bytes a point: the peak lies in the Delaunay stage and in the cut. Measured at 10k to 1M points
-// (bench/scaling_bench.cpp), rounded up; the fixed part is the program itself.
+// (docs/measurements.md), rounded up; the fixed part is the program itself.
 constexpr double bytes_per_sample = 1200;
 constexpr double bytes_per_background_point = 1200;
 constexpr double bytes_fixed = 32e6;

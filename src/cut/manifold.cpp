@@ -82,14 +82,47 @@ void find_parts(const TetMesh& mesh, const Labels& labels, std::span<const Tet> 
   }
 }
 
-bool is_regular(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star, Index v,
-                Parts& parts) {
-  bool mixed = false;
-  for (Tet t : star) mixed = mixed || labels[t] != labels[star[0]];
-  if (!mixed) return true;
-  find_parts(mesh, labels, star, v, parts);
-  return parts.count[0] <= 1 && parts.count[1] <= 1;
-}
+// The curve between inside and outside on the link of a vertex, as directed edges (from, to) with
+// the inside on the left.
+class LinkCurve {
+ public:
+  void collect(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star, Index v) {
+    edges_.clear();
+    for (Tet t : star) {
+      if (!labels[t]) continue;
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (mesh.vertices[t][i] == v || labels[mesh.neighbours[t][i]]) continue;
+        std::array<Index, 3> corner;
+        for (std::size_t k = 0; k < 3; ++k)
+          corner[k] = mesh.vertices[t][static_cast<std::size_t>(facet_corners[i][k])];
+        const std::size_t at = corner[0] == v ? 0 : corner[1] == v ? 1 : 2;
+        edges_.push_back({corner[(at + 1) % 3], corner[(at + 2) % 3]});
+      }
+    }
+  }
+
+  // No curve, or one simple closed curve.
+  bool is_simple() const {
+    if (edges_.empty()) return true;
+    std::size_t at = 0;
+    for (std::size_t step = 1;; ++step) {
+      std::size_t next = edges_.size();
+      for (std::size_t k = 0; k < edges_.size(); ++k) {
+        if (edges_[k].from != edges_[at].to) continue;
+        if (next != edges_.size()) return false;  // the curve meets itself here
+        next = k;
+      }
+      if (next == 0) return step == edges_.size();
+      at = next;
+    }
+  }
+
+ private:
+  struct Edge {
+    Index from, to;
+  };
+  std::vector<Edge> edges_;
+};
 
 class Untangler {
  public:
@@ -120,10 +153,11 @@ class Untangler {
   std::vector<Index> singular_vertices(unsigned threads) const {
     std::vector<std::uint8_t> singular(mesh_.points.size());
     parallel_chunks(singular.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
-      Parts parts;
-      for (std::size_t v = begin; v < end; ++v)
-        singular[v] = !is_regular(mesh_, labels_, stars_[static_cast<Index>(v)],
-                                  static_cast<Index>(v), parts);
+      LinkCurve curve;
+      for (std::size_t v = begin; v < end; ++v) {
+        curve.collect(mesh_, labels_, stars_[static_cast<Index>(v)], static_cast<Index>(v));
+        singular[v] = !curve.is_simple();
+      }
     });
     std::vector<Index> list;
     for (std::size_t v = 0; v < singular.size(); ++v)
@@ -212,8 +246,9 @@ class Untangler {
 
 bool is_regular_vertex(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star,
                        Index v) {
-  Parts parts;
-  return is_regular(mesh, labels, star, v, parts);
+  LinkCurve curve;
+  curve.collect(mesh, labels, star, v);
+  return curve.is_simple();
 }
 
 std::uint64_t make_manifold(const TetMesh& mesh, const Stars& stars, const FacetCost& cost,

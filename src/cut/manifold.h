@@ -10,9 +10,9 @@
 
 namespace arris {
 
-// The boundary is a 2-manifold at vertex v exactly if the inside and the outside tetrahedra of its
-// star are each connected through facets at v: its link is a sphere, and a region of it and the
-// complement both connected through edges are separated by one simple closed curve.
+// The boundary is a 2-manifold at vertex v exactly if no curve, or one simple closed curve,
+// separates inside from outside on the link of v, which is a sphere. Equivalently, the inside and
+// the outside tetrahedra of the star are each connected through facets at v. O(star).
 bool is_regular_vertex(const TetMesh& mesh, const Labels& labels, std::span<const Tet> star,
                        Index v);
 

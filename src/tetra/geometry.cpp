@@ -32,10 +32,16 @@ struct Edge {
 // The shortest Delaunay edges at v, at most spacing_rank, ascending.
 std::size_t shortest_edges(const TetMesh& mesh, const Stars& stars, Index v,
                            std::array<Edge, spacing_rank>& shortest) {
+  // Each neighbour is met in five or six tetrahedra; remembering the last one per slot spares most
+  // of the repeats. Those that slip through are caught below.
+  std::array<Index, 64> met;
+  met.fill(v);
   std::size_t count = 0;
   for (Tet t : stars[v]) {
     for (Index w : mesh.vertices[t]) {
-      if (w == v || w == infinite_vertex) continue;
+      Index& slot = met[w % met.size()];
+      if (w == slot || w == v || w == infinite_vertex) continue;
+      slot = w;
       const Edge edge{squared_length(mesh.points[w] - mesh.points[v]), w};
       if (count == spacing_rank && edge.squared_length > shortest.back().squared_length) continue;
       const auto end = shortest.begin() + static_cast<std::ptrdiff_t>(count);
