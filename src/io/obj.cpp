@@ -116,10 +116,10 @@ class ObjReader {
 
   // Colours count if every vertex has one. They are bytes if written as bytes, or as exact 255ths.
   void finish_colours() {
-    if (has_weights_) shape_.warnings.push_back("weights of vertices (w) are left out");
+    if (has_weights_) shape_.warnings.emplace_back("weights of vertices (w) are left out");
     if (coloured_ == 0) return;
     if (coloured_ < shape_.positions.size()) {
-      shape_.warnings.push_back("colours are left out, for some vertices have none");
+      shape_.warnings.emplace_back("colours are left out, for some vertices have none");
       return;
     }
     const bool bytes = std::all_of(colours_.begin(), colours_.end(), are_bytes);

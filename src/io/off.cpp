@@ -123,7 +123,8 @@ class OffReader {
     std::vector<std::string> names;
     if (normals_) names.insert(names.end(), {"nx", "ny", "nz"});
     if (colours_) names.insert(names.end(), {"red", "green", "blue"});
-    if (colours_ && row_.size() == 4 + names.size() + (texture_ ? 2 : 0)) names.push_back("alpha");
+    if (colours_ && row_.size() == 4 + names.size() + (texture_ ? 2 : 0))
+      names.emplace_back("alpha");
     if (texture_) names.insert(names.end(), {"s", "t"});
     constexpr std::size_t most_columns = 1024;  // more are garbage
     if (row_.size() < 3 + names.size() || row_.size() > most_columns) fail_width(3 + names.size());

@@ -42,7 +42,8 @@ Result<PointCloud> read_points(const std::string& path, const Context& context) 
     cloud.positions = std::move(shape.positions);
     cloud.attributes = std::move(shape.attributes);
     cloud.position_type = shape.position_type;
-    for (const std::string& w : shape.warnings) cloud.warnings.push_back("'" + path + "': " + w);
+    for (const std::string& w : shape.warnings)
+      cloud.warnings.push_back(std::string("'").append(path).append("': ").append(w));
     job.finish();
     return cloud;
   });

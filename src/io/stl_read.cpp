@@ -100,7 +100,7 @@ Shape read_binary(const Source& source) {
     const char* corner = source.bytes.data() + header_bytes + t * triangle_bytes + 12;
     Triangle triangle;
     for (Index& v : triangle) {
-      const auto number = [&](int k) {
+      const auto number = [&](std::size_t k) {
         return static_cast<double>(std::bit_cast<float>(little_u32(corner + 4 * k)));
       };
       v = joiner.join(source, {number(0), number(1), number(2)});

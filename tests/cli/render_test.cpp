@@ -17,7 +17,8 @@ std::string png_size(const std::string& bytes) {
   if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return "";
   const auto number = [&](std::size_t at) {
     unsigned long value = 0;
-    for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | (bytes[i] & 0xFFu);
+    for (std::size_t i = at; i < at + 4; ++i)
+      value = value << 8 | static_cast<unsigned char>(bytes[i]);
     return std::to_string(value);
   };
   return number(16) + "x" + number(20);
