@@ -40,7 +40,7 @@ struct Report {
   std::uint64_t swaps = 0;           // accepted
   std::uint64_t manifold_flips = 0;  // tetrahedra relabelled to make the surface a 2-manifold
 
-  std::uint64_t specks = 0;          // parts and voids too small to be meant, removed
+  std::uint64_t specks = 0;  // parts and voids too small to be meant, removed
 
   std::vector<StageReport> stages;
   Certificate certificate;
