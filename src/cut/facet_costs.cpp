@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "energy/distance.h"
+#include "base/vec.h"
+#include "energy/facet.h"
 
 namespace arris {
 
@@ -11,14 +12,16 @@ double facet_cost(const TetMesh& mesh, const EnergyModel& model,
   const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
   if (n < t) return facet_cost(mesh, model, curvature, n, mesh.facet_to(n, t));
   if (!mesh.is_finite(t)) return 0;
+  const double fidelity = fidelity_cost(mesh, model, t, i);
+  if (curvature.empty()) return fidelity;
   double h = 0, kappa = 0;
   for (int corner : facet_corners[static_cast<std::size_t>(i)]) {
     const Index v = mesh.vertices[t][static_cast<std::size_t>(corner)];
-    h += model.spacing[v] / 3;
-    if (!curvature.empty()) kappa += std::abs(curvature[v]) / 3;
+    h += 1.0 / 3 * model.spacing[v];
+    kappa += 1.0 / 3 * std::abs(curvature[v]);
   }
-  const FacetDistance facet = facet_distance(mesh, t, i);
-  return (facet.mean_distance / h + model.lambda * kappa * h) * facet.area / (h * h);
+  const double area = 0.5 * length(facet_normal(mesh, t, i));
+  return fidelity + model.lambda * kappa * area / h;
 }
 
 double surface_cost(const TetMesh& mesh, const EnergyModel& model,
