@@ -1,8 +1,9 @@
 # The doors of the project. Everything else is CMake's.
 #
 #   make            the release: build/arris
-#   make demo       reconstruct a real scan, and draw it
+#   make demo       install what is needed, reconstruct a real scan, and draw it
 #   make test       install what is needed, build and run every test
+#   make bench      time and memory over sizes, against CGAL's Delaunay (BENCH_SIZES)
 #   make sanitize   the test suite under ASan and UBSan (clang)
 #   make tsan       the tests of threads under TSan (clang)
 #   make fuzz       every fuzz target for FUZZ_SECONDS seconds (clang)
@@ -11,6 +12,7 @@
 BUILD ?= build
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 5
+BENCH_SIZES ?= 10000 100000 1000000
 # Tests that run more than one thread, for TSan, by name; and the executables that have them.
 TSAN_TESTS ?= Parallel|Thread
 TSAN_TARGETS ?= test_base test_cut test_seed test_swap test_surface test_pipeline
@@ -26,17 +28,23 @@ SOURCES = $(shell find include src cli tests bench viewer examples \
   \( -name '*.cpp' -o -name '*.h' -o -name '*.cu' \) 2>/dev/null | sort)
 TIDY_SOURCES ?= $(shell find src cli -name '*.cpp' | sort)
 
-.PHONY: all demo test dependencies sanitize tsan fuzz format format-check tidy
+.PHONY: all demo test bench dependencies sanitize tsan fuzz format format-check tidy
 
 all:
 	$(CONFIGURE) -B $(BUILD)
 	cmake --build $(BUILD) -j $(JOBS) --target arris arris_cli
 
-demo: all
+demo: dependencies
+	$(MAKE) all
 	scripts/demo.sh $(BUILD)
 
 dependencies:
 	scripts/install-deps.sh
+
+bench: dependencies
+	$(CONFIGURE) -B $(BUILD) -DARRIS_BUILD_BENCH=ON
+	cmake --build $(BUILD) -j $(JOBS)
+	bench/scaling.sh $(BUILD) $(BENCH_SIZES)
 
 test: dependencies
 	$(CONFIGURE) -B $(BUILD) -DARRIS_BUILD_TESTS=ON

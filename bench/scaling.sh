@@ -4,6 +4,5 @@
 set -euo pipefail
 build=${1:?give the build directory}
 shift
-for n in "${@:-10000 30000 100000 300000 1000000}"; do
-  for size in $n; do "$build/scaling_bench" "$size"; done
-done
+[ $# -gt 0 ] || set -- 10000 30000 100000 300000 1000000
+for size in "$@"; do "$build/scaling_bench" "$size"; done
