@@ -52,10 +52,8 @@ TetVolume output_volume(const PointCloud& cloud, const Samples& samples, const T
 }
 
 std::vector<float> output_confidence(const Mesh& mesh, const Samples& samples, const Seeds& seeds) {
-  std::vector<Index> sample_of(0);
-  Index most = 0;
-  for (Index s : samples.source) most = std::max(most, s);
-  sample_of.assign(static_cast<std::size_t>(most) + 1, no_index);
+  const Index last = *std::max_element(samples.source.begin(), samples.source.end());
+  std::vector<Index> sample_of(static_cast<std::size_t>(last) + 1, no_index);
   for (std::size_t k = 0; k < samples.source.size(); ++k)
     sample_of[samples.source[k]] = static_cast<Index>(k);
   std::vector<float> confidence(mesh.vertices.size(), 0);
