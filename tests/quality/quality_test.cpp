@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ostream>
@@ -64,9 +63,9 @@ std::vector<Vec3> sample(const Mesh& mesh, Sampling sampling, std::size_t n) {
 }
 
 Figures figures_of(const compare::Comparison& c) {
-  const double edges = c.features.strict.f1;
-  return {1e4 * c.chamfer, std::isnan(edges) ? -1 : edges, c.result_to_truth.normal_error,
-          1 - c.volume_iou, c.same_topology ? Topology::right : Topology::wrong};
+  const double edges = c.features.length_truth > 0 ? c.features.strict.f1 : no_edges;
+  return {1e4 * c.chamfer, edges, c.result_to_truth.normal_error, 1 - c.volume_iou,
+          c.same_topology ? Topology::right : Topology::wrong};
 }
 
 // As a row of figures.h, cut to the digits that are worth recording.
