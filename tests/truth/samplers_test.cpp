@@ -1,4 +1,4 @@
-#include "support/samplers.h"
+#include "truth/samplers.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "base/vec.h"
-#include "support/measure.h"
-#include "support/random.h"
-#include "support/shapes.h"
+#include "truth/measure.h"
+#include "truth/random.h"
+#include "truth/shapes.h"
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 double nearest_pair(const std::vector<Vec3>& points) {
@@ -129,4 +129,4 @@ TEST(Samplers, NoiseAndOutliersAreAsAsked) {
 }
 
 }  // namespace
-}  // namespace arris::test
+}  // namespace arris::truth
