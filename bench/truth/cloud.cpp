@@ -22,8 +22,11 @@ std::uint64_t seed_of(std::uint64_t seed, Step step) {
   return result;
 }
 
+// Volatile, since GCC 12 drops the way to float and back where it takes two coordinates at once
+// (-ftree-slp-vectorize).
 double as_float(double x) {
-  return static_cast<double>(static_cast<float>(x));
+  const volatile float narrow = static_cast<float>(x);
+  return static_cast<double>(narrow);
 }
 
 // Centres far apart from those before, as far as a bounded number of draws finds them.

@@ -81,7 +81,7 @@ Mesh female_symbol(int resolution) {
                           4 * pi * steps / resolution);
   };
   const Mesh stem = axes_turned(bar(0.16, 1.05, 2.2, 0.17));
-  const Mesh cross = shifted(axes_turned(axes_turned(bar(0.15, -0.5, 0.5, 0.43))), {1.7, 0, 0});
+  const Mesh cross = shifted(axes_turned(axes_turned(bar(0.12, -0.5, 0.5, 0.43))), {1.7, 0, 0});
   return unite(unite(ring, stem), cross);
 }
 
