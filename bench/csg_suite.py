@@ -19,7 +19,7 @@ import tempfile
 import time
 
 COLUMNS = ["seed", "recipe", "triangles", "components", "euler", "volume", "area", "wall", "gap",
-           "detail", "samples", "outcome", "result_triangles", "result_components", "result_euler",
+           "detail", "clearance", "samples", "outcome", "result_triangles", "result_components", "result_euler",
            "result_volume", "model_seconds", "reconstruct_seconds"]
 # A reconstruction of this many points takes seconds.
 TIME_LIMIT = 600

@@ -46,7 +46,7 @@ Mesh turned(double low_radius, double high_radius, double height, int around) {
 }
 
 Primitive draw_primitive(Random& random, int resolution) {
-  const double a = random.between(0.3, 0.6), b = random.between(0.25, 1),
+  const double a = random.between(0.3, 0.6), b = random.between(0.35, 1),
                c = random.between(0.3, 1);
   const int sides = 3 + static_cast<int>(random.below(6));
   switch (random.below(8)) {
@@ -69,15 +69,24 @@ Primitive draw_primitive(Random& random, int resolution) {
   }
 }
 
+// Long enough to go through.
+Primitive draw_drill(Random& random, int resolution) {
+  const double radius = random.between(0.12, 0.25);
+  const int sides = 3 + static_cast<int>(random.below(4));
+  if (random.below(2) == 0) return {"round hole", turned(radius, radius, 6, resolution)};
+  return {"hole", turned(radius, radius, 6, sides)};
+}
+
 // One step of a recipe: what is done, with a primitive of what size, how far from the surface.
 struct Step {
   Operation operation;
   const char* sign;
   double size, offset;
+  bool drill = false;  // a long bar instead of any primitive
 };
 
 Step draw_step(Random& random) {
-  constexpr std::array<Step, 10> steps = {{
+  constexpr std::array<Step, 12> steps = {{
       {Operation::unite, " + ", 1, 0.2},
       {Operation::unite, " + ", 1, 0.2},
       {Operation::unite, " + ", 0.7, 0.1},
@@ -87,6 +96,8 @@ Step draw_step(Random& random) {
       {Operation::subtract, " - ", 0.7, 0.3},
       {Operation::subtract, " - ", 0.5, 0.5},
       {Operation::subtract, " - ", 0.4, 0.6},  // perhaps a void inside
+      {Operation::subtract, " - ", 1, 0.2, true},
+      {Operation::subtract, " - ", 1, 0.2, true},
       {Operation::intersect, " & ", 2, 0.3},
   }};
   return steps.at(random.below(steps.size()));
@@ -123,7 +134,8 @@ CsgModel random_csg(std::uint64_t seed, int resolution) {
   for (int i = 0; i < steps; ++i) {
     for (int draw = 0; draw < most_draws; ++draw) {
       const Step step = draw_step(random);
-      const Primitive primitive = draw_primitive(random, resolution);
+      const Primitive primitive =
+          step.drill ? draw_drill(random, resolution) : draw_primitive(random, resolution);
       const Mesh tool = pose(primitive.mesh, model.mesh, step, random);
       std::optional<Mesh> result = combine(model.mesh, tool, step.operation);
       Thickness thickness;

@@ -10,6 +10,7 @@
 #include "base/vec.h"
 #include "surface/box_tree.h"
 #include "surface/mesh_measure.h"
+#include "truth/clearance.h"
 #include "truth/feature_graph.h"
 #include "truth/measure.h"
 #include "truth/samplers.h"
@@ -19,6 +20,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
+constexpr double across = 4;         // spacings across the thinnest part
+constexpr double per_diagonal = 50;  // and across the diagonal, at least
 constexpr double detail_angle = 30 * pi / 180;
 
 struct Hit {
@@ -146,21 +149,22 @@ double smallest_detail(const Mesh& mesh) {
 }  // namespace
 
 double Thickness::thinnest() const {
-  return std::min({wall, gap, detail});
+  return std::min({wall, gap, detail, clearance});
 }
 
 Thickness measure_thickness(const Mesh& mesh) {
   constexpr std::size_t rays = 4000;
+  // Nothing farther apart matters to dense_samples.
+  constexpr double reach = across / per_diagonal, step = 0.02;  // of the diagonal
+  const double diagonal = bounds_of(mesh.vertices).diagonal();
   const Samples samples = sample(mesh, {Mode::uniform, rays, 1});
   const RayCaster caster(mesh);
   return {thin_quantile(caster, samples, -1), thin_quantile(caster, samples, 1),
-          smallest_detail(mesh)};
+          smallest_detail(mesh), measure_clearance(mesh, reach * diagonal, step * diagonal)};
 }
 
 std::size_t dense_samples(const Mesh& mesh, const Thickness& thickness) {
-  constexpr double across = 4;      // spacings across the thinnest part
-  constexpr double per_model = 50;  // and across the diagonal, at least
-  const double widest = bounds_of(mesh.vertices).diagonal() / per_model;
+  const double widest = bounds_of(mesh.vertices).diagonal() / per_diagonal;
   return samples_at_spacing(area(mesh), std::min(thickness.thinnest() / across, widest));
 }
 

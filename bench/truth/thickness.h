@@ -18,12 +18,14 @@ struct Thickness {
   // The smallest diagonal of the bounding boxes of components, and of connected groups of sharp
   // edges (30 degrees): a crumb, a pinhole or a thin neck of which the rays see too little.
   double detail = 0;
+  // What measure_clearance finds nearer than 8 % of the diagonal.
+  double clearance = 0;
 
   double thinnest() const;
 };
 
-// Measured from 4000 points uniform on the surface, with a fixed seed. The mesh must be closed and
-// oriented outwards. O(n log n), and short rays are cheap.
+// Wall and gap are measured from 4000 points uniform on the surface, with a fixed seed. The mesh
+// must be closed and oriented outwards. O(n log n), and short rays are cheap.
 Thickness measure_thickness(const Mesh& mesh);
 
 // The number of samples whose spacing is a quarter of the thinnest part, and at most a fiftieth of

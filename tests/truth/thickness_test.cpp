@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "truth/boolean.h"
+#include "truth/clearance.h"
 #include "truth/measure.h"
 #include "truth/revolution.h"
 #include "truth/samplers.h"
@@ -54,8 +55,41 @@ TEST(Thickness, SeesPinholesAndCrumbsAsDetails) {
   const Thickness t = measure_thickness(*drilled);
   EXPECT_GT(t.gap, 1);
   EXPECT_NEAR(t.detail, 0.1 * std::sqrt(2), 1e-3);
+  EXPECT_EQ(t.clearance, none);  // round it is not far
   const Mesh crumb = box_complex({{{0, 0, 0}, {9, 9, 9}}, {{10, 10, 10}, {10.1, 10.1, 10.1}}});
   EXPECT_NEAR(measure_thickness(crumb).detail, 0.1 * std::sqrt(3), 1e-9);
+}
+
+// A wedge-shaped gap is nowhere parallel; what counts is its narrow end, on the edges that face
+// each other there.
+TEST(Clearance, IsTheNarrowEndOfATaperingGap) {
+  const Mesh block = box_complex({{{-2, -1, -1}, {2, 1, 1}}});
+  const Mesh cutter = convex_hull({{-0.05, -2, -2},
+                                   {0.05, -2, -2},
+                                   {1, -2, 2},
+                                   {-1, -2, 2},
+                                   {-0.05, 2, -2},
+                                   {0.05, 2, -2},
+                                   {1, 2, 2},
+                                   {-1, 2, 2}});
+  const auto split = combine(block, cutter, Operation::subtract);
+  ASSERT_TRUE(split);
+  ASSERT_EQ(components(*split), 2u);
+  const double narrow = 2 * (0.05 + 0.95 / 4);  // at z = -1
+  EXPECT_NEAR(measure_clearance(*split, 1, 0.1), narrow, 1e-9);
+  EXPECT_EQ(measure_clearance(*split, 0.5, 0.1), none);  // out of reach
+}
+
+TEST(Clearance, IgnoresEdgesAndBarsButNotBlades) {
+  for (const Shape& shape : {cube(), wedge(), octahedron(), cone(), sphere(), two_cubes()})
+    EXPECT_EQ(measure_clearance(moved(shape.mesh, 7), 0.2, 0.1), none) << shape.name;
+  const Mesh bar = revolve({{0, 0}, {0.05, 0}, {0.05, 2}, {0, 2}}, 24);
+  EXPECT_EQ(measure_clearance(bar, 0.2, 0.1), none);
+  // 11 degrees: beside the sharp edge, the other side is nearer than the way round.
+  const Mesh blade =
+      convex_hull({{0, 0, 0}, {1, 0, -0.1}, {1, 0, 0.1}, {0, 1, 0}, {1, 1, -0.1}, {1, 1, 0.1}});
+  EXPECT_LT(measure_clearance(blade, 0.2, 0.1), 0.05);
+  EXPECT_NEAR(measure_clearance(thin_plate().mesh, 0.2, 0.1), 0.05, 1e-9);
 }
 
 TEST(Thickness, SaysHowManySamplesAreDense) {
