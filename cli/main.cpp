@@ -22,6 +22,8 @@ constexpr std::array commands = {
     Command{"info", "Say what is in a file", declare_info},
     Command{"compare", "Hold a mesh against the truth", declare_compare},
     Command{"render", "Draw meshes or points as a picture", declare_render},
+    Command{"model", "Make a solid with known truth", declare_model},
+    Command{"sample", "Draw a point cloud from a mesh, clean or spoiled", declare_sample},
 };
 
 const char* const examples =
