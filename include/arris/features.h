@@ -26,8 +26,8 @@ struct FeatureCurve {
   std::vector<Index> vertices;  // in order; a closed curve does not repeat its first
   bool closed = false;
   CurveKind kind = CurveKind::mixed;
-  double length = 0;          // user's unit
-  double mean_angle = 180;    // weighted by length
+  double length = 0;            // user's unit
+  double mean_angle = 180;      // weighted by length
   double sharpest_angle = 180;  // farthest from 180
 };
 

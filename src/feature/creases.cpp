@@ -142,8 +142,7 @@ std::vector<Crease> judge_edges(const Mesh& mesh, const MeshEdges& edges, Job& j
   constexpr std::size_t grain = 4096;
   parallel_chunks(crease.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     Side side(mesh, edges);
-    for (std::size_t e = begin; e < end; ++e)
-      crease[e] = judge(edges, side, static_cast<Index>(e));
+    for (std::size_t e = begin; e < end; ++e) crease[e] = judge(edges, side, static_cast<Index>(e));
   });
   return crease;
 }

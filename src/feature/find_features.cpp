@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "arris/report.h"
 #include "base/failure.h"
 #include "base/vec.h"
 #include "feature/creases.h"
@@ -45,6 +46,21 @@ FeatureNetwork feature_network(const Mesh& mesh, Job& job) {
   label_patches(network, result);
   job.tick(1);
   return result;
+}
+
+FeatureCounts count_features(const FeatureNetwork& network) {
+  FeatureCounts counts;
+  counts.curves = network.curves.size();
+  for (const FeatureCurve& curve : network.curves) {
+    counts.closed_curves += curve.closed;
+    counts.convex_curves += curve.kind == CurveKind::convex;
+    counts.concave_curves += curve.kind == CurveKind::concave;
+    counts.length += curve.length;
+  }
+  for (const FeatureCorner& corner : network.corners)
+    ++(corner.degree == 1 ? counts.ends : counts.corners);
+  counts.patches = network.patches;
+  return counts;
 }
 
 Result<FeatureNetwork> find_features(const Mesh& mesh, const Context& context) {

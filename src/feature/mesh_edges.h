@@ -22,10 +22,10 @@ struct MeshEdge {
 };
 
 struct MeshEdges {
-  std::vector<MeshEdge> edges;                   // ascending by ends
-  std::vector<std::array<Index, 3>> of_face;     // per triangle: edge of corner k and k + 1
-  std::vector<std::size_t> star_begin;           // edges at vertex v, ascending:
-  std::vector<Index> star;                       // star[star_begin[v] .. star_begin[v + 1])
+  std::vector<MeshEdge> edges;                // ascending by ends
+  std::vector<std::array<Index, 3>> of_face;  // per triangle: edge of corner k and k + 1
+  std::vector<std::size_t> star_begin;        // edges at vertex v, ascending:
+  std::vector<Index> star;                    // star[star_begin[v] .. star_begin[v + 1])
 
   std::span<const Index> at(Index v) const {
     return {star.data() + star_begin[v], star_begin[v + 1] - star_begin[v]};

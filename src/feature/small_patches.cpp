@@ -30,8 +30,8 @@ struct Border {
 
 struct PatchFacts {
   std::size_t triangles = 0;
-  double most_inside = 0;        // the largest turning at edges within
-  double least_around = 10;      // the least at edges of its border
+  double most_inside = 0;    // the largest turning at edges within
+  double least_around = 10;  // the least at edges of its border
 };
 
 std::vector<PatchFacts> examine(const Network& network, const FeatureNetwork& patches) {
