@@ -16,19 +16,27 @@ constexpr double degree = std::numbers::pi / 180;
 // Hysteresis: a strong edge turns by the first angle and by the first multiple of what curvature
 // and noise explain, a weak edge by the second.
 constexpr double strong_angle = 20 * degree, weak_angle = 10 * degree;
-constexpr double strong_ratio = 2.5, weak_ratio = 1.5;
+constexpr double strong_ratio = 3, weak_ratio = 2;
 
-// No surface sampled well enough to be reconstructed turns by this much at an edge.
-constexpr double certain_angle = 60 * degree;
+// A clear edge turns by the first angle, which no surface does that is sampled well enough to be
+// reconstructed, and by the multiple that noise and curvature reach at one edge in a hundred.
+constexpr double clear_angle = 60 * degree, clear_ratio = 5;
+
+// Or it lies between facets of several triangles, flat up to rounding: those of a polyhedron drawn
+// with few triangles, where curvature cannot be told from the edges themselves.
+constexpr double flat = 0.1 * degree;
+
+// A line of edges without a clear one needs this many, so many of them strong.
+constexpr std::uint32_t shortest_line = 5, least_strong = 2;
+
+// Cosine of the largest bend of a line from one edge to the next, 53 degrees.
+constexpr double sharpest_bend = 0.6;
 
 // How far the curvature beside an edge is measured, in mean lengths of the edges at its ends.
 constexpr double reach = 2.0;
 
 // Edges nearer than this to the plane through the crease belong to the crease itself.
 constexpr double crease_width = 0.25;
-
-// Edges that turn by this multiple of the edge in question are other creases, not curvature.
-constexpr double other_crease = 2.0;
 
 // A crease between flat triangles with obtuse angles can have circumcentres that coincide; it is
 // taken to be at least this share of the mean edge length wide.
@@ -40,7 +48,8 @@ class Side {
   Side(const Mesh& mesh, const MeshEdges& edges) : mesh_(mesh), edges_(edges) {}
 
   // Σ |turning| length cos² / area: how much the surface turns across lines parallel to edge e, per
-  // length. `spacing` is the mean edge length there.
+  // length. An edge that turns more than e counts as if it turned as much: it may be a crease.
+  // `spacing` is the mean edge length there.
   double turning_rate(Index e, Index first, double spacing) {
     place(e, first, spacing);
     double area = 0, turned = 0;
@@ -50,8 +59,7 @@ class Side {
       for (Index o : edges_.of_face[f]) {
         if (o == no_index || o == e) continue;
         const MeshEdge& other = edges_.edges[o];
-        const double turning = std::abs(other.turning);
-        if (turning > other_crease * limit_) continue;
+        const double turning = std::min(std::abs(other.turning), limit_);
         const Vec3 u = mesh_.vertices[other.ends[0]], v = mesh_.vertices[other.ends[1]];
         if (depth(0.5 * (u + v)) > crease_width * spacing && other.length > 0) {
           const double cosine = dot(v - u, along_) / other.length;
@@ -122,18 +130,77 @@ double mean_length_round(const MeshEdges& edges, Index e) {
   return sum / static_cast<double>(count);
 }
 
+// Triangle f is part of a larger facet beside its edge e.
+bool is_in_flat_facet(const MeshEdges& edges, Index f, Index e) {
+  const auto& sides = edges.of_face[f];
+  return std::any_of(sides.begin(), sides.end(), [&](Index o) {
+    return o != e && o != no_index && edges.edges[o].faces[1] != no_index &&
+           std::abs(edges.edges[o].turning) < flat;
+  });
+}
+
 Crease judge(const MeshEdges& edges, Side& side, Index e) {
   const MeshEdge& edge = edges.edges[e];
   const double turning = std::abs(edge.turning);
   if (turning < weak_angle || edge.faces[1] == no_index || edge.length == 0) return Crease::none;
-  if (turning >= certain_angle) return Crease::strong;
   const double spacing = mean_length_round(edges, e);
   const double rate = std::max(side.turning_rate(e, edge.faces[0], spacing),
                                side.turning_rate(e, edge.faces[1], spacing));
   const double expected = rate * std::max(edge.dual, least_dual * spacing);
+  if (turning >= clear_angle &&
+      (turning >= clear_ratio * expected ||
+       (is_in_flat_facet(edges, edge.faces[0], e) && is_in_flat_facet(edges, edge.faces[1], e))))
+    return Crease::clear;
   if (turning >= strong_angle && turning >= strong_ratio * expected) return Crease::strong;
   return turning >= weak_ratio * expected ? Crease::weak : Crease::none;
 }
+
+// Edges e and f, which meet at v, are one line.
+bool goes_on(const Mesh& mesh, const MeshEdges& edges, Index e, Index v, Index f) {
+  if ((edges.edges[e].turning > 0) != (edges.edges[f].turning > 0)) return false;
+  const Vec3 in = mesh.vertices[v] - mesh.vertices[edges.other_end(e, v)];
+  const Vec3 out = mesh.vertices[edges.other_end(f, v)] - mesh.vertices[v];
+  return dot(in, out) >= sharpest_bend * length(in) * length(out);
+}
+
+// Union-find over edges.
+class Lines {
+ public:
+  explicit Lines(std::size_t edges) : parent_(edges) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+  void join(Index a, Index b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::uint8_t> worth_keeping(const std::vector<Crease>& crease) {
+    struct Tally {
+      std::uint32_t all = 0, strong = 0, clear = 0;
+    };
+    std::vector<Tally> tally(parent_.size());
+    for (std::size_t e = 0; e < crease.size(); ++e) {
+      Tally& t = tally[find(static_cast<Index>(e))];
+      t.all += crease[e] != Crease::none;
+      t.strong += crease[e] == Crease::strong;
+      t.clear += crease[e] == Crease::clear;
+    }
+    std::vector<std::uint8_t> keep(crease.size());
+    for (std::size_t e = 0; e < crease.size(); ++e) {
+      const Tally& t = tally[find(static_cast<Index>(e))];
+      keep[e] = crease[e] != Crease::none &&
+                (t.clear > 0 || (t.all >= shortest_line && t.strong >= least_strong));
+    }
+    return keep;
+  }
+
+ private:
+  Index find(Index e) {
+    while (parent_[e] != e) e = parent_[e] = parent_[parent_[e]];
+    return e;
+  }
+  std::vector<Index> parent_;
+};
 
 }  // namespace
 
@@ -147,28 +214,19 @@ std::vector<Crease> judge_edges(const Mesh& mesh, const MeshEdges& edges, Job& j
   return crease;
 }
 
-std::vector<std::uint8_t> connect_creases(const MeshEdges& edges, const std::vector<Crease>& crease,
-                                          std::size_t vertices) {
-  std::vector<std::uint8_t> chosen(edges.edges.size(), 0), reached(vertices, 0);
-  std::vector<Index> stack;
-  const auto choose = [&](Index e) {
-    if (chosen[e]) return;
-    chosen[e] = 1;
-    for (Index v : edges.edges[e].ends)
-      if (!reached[v]) {
-        reached[v] = 1;
-        stack.push_back(v);
+std::vector<std::uint8_t> connect_creases(const Mesh& mesh, const MeshEdges& edges,
+                                          const std::vector<Crease>& crease) {
+  Lines lines(crease.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto star = edges.at(static_cast<Index>(v));
+    for (std::size_t i = 0; i < star.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Index e = star[i], f = star[j];
+        if (crease[e] == Crease::none || crease[f] == Crease::none) continue;
+        if (goes_on(mesh, edges, e, static_cast<Index>(v), f)) lines.join(e, f);
       }
-  };
-  for (std::size_t e = 0; e < crease.size(); ++e)
-    if (crease[e] == Crease::strong) choose(static_cast<Index>(e));
-  while (!stack.empty()) {
-    const Index v = stack.back();
-    stack.pop_back();
-    for (Index e : edges.at(v))
-      if (crease[e] == Crease::weak) choose(e);
   }
-  return chosen;
+  return lines.worth_keeping(crease);
 }
 
 }  // namespace arris

@@ -10,8 +10,9 @@
 
 namespace arris {
 
-// What an edge is on its own evidence.
-enum class Crease : std::uint8_t { none, weak, strong };
+// What an edge is on its own evidence. Noise makes strong edges too, here and there; it hardly
+// makes clear ones.
+enum class Crease : std::uint8_t { none, weak, strong, clear };
 
 // Per edge. Where a surface of curvature k is sampled, it turns by k times the distance of the
 // circumcentres at an edge; a crease turns by far more than that. The curvature across the edge is
@@ -21,8 +22,10 @@ enum class Crease : std::uint8_t { none, weak, strong };
 // O(n), parallel.
 std::vector<Crease> judge_edges(const Mesh& mesh, const MeshEdges& edges, Job& job);
 
-// The strong edges, and the weak ones connected to them through weak ones: 1 per edge. O(n).
-std::vector<std::uint8_t> connect_creases(const MeshEdges& edges, const std::vector<Crease>& crease,
-                                          std::size_t vertices);
+// Lines of edges that are not `none`, each going on from the last roughly straight and with the
+// same sign of turning: those that hold a clear edge, or several edges of which some are strong. 1
+// per edge chosen. O(n log n).
+std::vector<std::uint8_t> connect_creases(const Mesh& mesh, const MeshEdges& edges,
+                                          const std::vector<Crease>& crease);
 
 }  // namespace arris

@@ -36,7 +36,7 @@ FeatureNetwork feature_network(const Mesh& mesh, Job& job) {
   job.tick(0.4);
   const std::vector<Crease> creases = judge_edges(mesh, edges, job);
   job.tick(0.9);
-  Network network(mesh, edges, connect_creases(edges, creases, mesh.vertices.size()));
+  Network network(mesh, edges, connect_creases(mesh, edges, creases));
   close_gaps(network);
   prune_stubs(network);
   merge_small_patches(network);

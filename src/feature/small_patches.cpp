@@ -16,8 +16,11 @@ constexpr double degree_angle = std::numbers::pi / 180;
 constexpr std::size_t smallest_patch = 6;
 
 // The facet of a polyhedron is flat up to rounding; a single triangle is one if its edges turn by
-// what no well sampled surface does (creases.cpp: certain).
+// what no well sampled surface does (creases.cpp: clear).
 constexpr double flat = 0.1 * degree_angle, sharp_all_round = 60 * degree_angle;
+
+// Next to a patch of this many triangles the mesh is no coarse polyhedron.
+constexpr std::size_t fine_patch = 64;
 
 // Each round dissolves a layer of a cluster.
 constexpr int most_rounds = 16;
@@ -30,8 +33,9 @@ struct Border {
 
 struct PatchFacts {
   std::size_t triangles = 0;
-  double most_inside = 0;    // the largest turning at edges within
-  double least_around = 10;  // the least at edges of its border
+  double most_inside = 0;          // the largest turning at edges within
+  double least_around = 10;        // the least at edges of its border
+  std::size_t largest_beside = 0;  // triangles of the largest neighbour
 };
 
 std::vector<PatchFacts> examine(const Network& network, const FeatureNetwork& patches) {
@@ -41,9 +45,12 @@ std::vector<PatchFacts> examine(const Network& network, const FeatureNetwork& pa
   for (std::size_t e = 0; e < edges.edges.size(); ++e) {
     const MeshEdge& edge = edges.edges[e];
     const double turning = std::abs(edge.turning);
-    for (Index f : edge.faces) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Index f = edge.faces[k], g = edge.faces[1 - k];
       if (f == no_index) continue;
       PatchFacts& p = facts[patches.patch[f]];
+      if (g != no_index && patches.patch[g] != patches.patch[f])
+        p.largest_beside = std::max(p.largest_beside, facts[patches.patch[g]].triangles);
       if (network.has(static_cast<Index>(e)))
         p.least_around = std::min(p.least_around, turning);
       else
@@ -55,6 +62,7 @@ std::vector<PatchFacts> examine(const Network& network, const FeatureNetwork& pa
 
 bool is_small(const PatchFacts& p) {
   if (p.triangles >= smallest_patch) return false;
+  if (p.largest_beside >= fine_patch) return true;
   return p.triangles == 1 ? p.least_around < sharp_all_round : p.most_inside > flat;
 }
 

@@ -22,12 +22,18 @@ void PrintTo(const Row& row, std::ostream* out) {
 }
 
 const Row rows[] = {
-    {"cube", 1200, 12, 0, 8, 6},           {"two_cubes", 2500, 24, 6, 20, 12},
-    {"perforated_cube", 6000, 36, 24, 40, 30}, {"l_bracket", 2500, 17, 1, 12, 8},
-    {"thin_plate", 2500, 12, 0, 8, 6},     {"octahedron", 1200, 12, 0, 6, 8},
-    {"icosahedron", 2500, 30, 0, 12, 20},  {"dodecahedron", 2500, 30, 0, 20, 12},
-    {"wedge", 2000, 9, 0, 6, 5},           {"cylinder", 2500, 2, 0, 0, 3},
-    {"sphere", 150, 0, 0, 0, 1},           {"torus", 400, 0, 0, 0, 1},
+    {"cube", 1200, 12, 0, 8, 6},
+    {"two_cubes", 2500, 24, 6, 20, 12},
+    {"perforated_cube", 6000, 48, 24, 40, 30},
+    {"l_bracket", 2500, 17, 1, 12, 8},
+    {"thin_plate", 2500, 12, 0, 8, 6},
+    {"octahedron", 1200, 12, 0, 6, 8},
+    {"icosahedron", 2500, 30, 0, 12, 20},
+    {"dodecahedron", 2500, 30, 0, 20, 12},
+    {"hexagonal_prism", 2000, 18, 0, 12, 8},
+    {"cylinder", 2500, 2, 0, 0, 3},
+    {"sphere", 150, 0, 0, 0, 1},
+    {"torus", 400, 0, 0, 0, 1},
 };
 
 class KnownCurves : public testing::TestWithParam<Row> {};
