@@ -123,7 +123,7 @@ TEST(Curves, RefuseABrokenMesh) {
 RC_GTEST_PROP(CurvesProperty, AreChainsThatBoundThePatches, ()) {
   const auto shapes = all_shapes();
   const Shape& shape = shapes[*rc::gen::inRange<std::size_t>(0, shapes.size())];
-  const auto n = *rc::gen::inRange<std::size_t>(200, 900);
+  const auto n = *rc::gen::inRange<std::size_t>(100, 400);
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000);
   std::vector<Vec3> points = sample_uniform(shape.mesh, n, seed);
   if (*rc::gen::arbitrary<bool>()) add_noise(points, 0.01, seed);
