@@ -21,10 +21,12 @@ float support_of(float gap) {
 void find_fills(const Samples& samples, const std::vector<double>& spacing, Reconstruction& result,
                 Job& job) {
   std::vector<Vec3> vertices;
+  vertices.reserve(result.mesh.vertices.size());
   for (Vec3 p : result.mesh.vertices) vertices.push_back(samples.frame.to_local(p));
   const FaceGaps gaps = face_gaps({vertices, result.mesh.triangles, samples.points, spacing}, job);
   const MeshTopology topology = build_topology(vertices.size(), result.mesh.triangles, job);
   result.filled = filled_faces(vertices, result.mesh.triangles, topology, gaps);
+  result.support.reserve(gaps.gap.size());
   for (float gap : gaps.gap) result.support.push_back(support_of(gap));
   double all = 0, filled = 0;
   for (std::size_t t = 0; t < result.filled.size(); ++t) {
