@@ -13,6 +13,7 @@
 #include "cut/manifold.h"
 #include "cut/specks.h"
 #include "cut/surface_cut.h"
+#include "describe.h"
 #include "forecast.h"
 #include "options.h"
 #include "output.h"
@@ -160,6 +161,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     throw Failure(ErrorCode::certificate,
                   "the mesh failed its check: " + report.certificate.first_defect,
                   "please report it with the input");
+  describe_surface(samples, stage.model.spacing, result, job);
   job.finish();
   report.threads = job.threads();
   report.stages = job.stages();

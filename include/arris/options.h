@@ -37,6 +37,9 @@ struct Options {
   // Also return the interior tetrahedra.
   bool tetrahedra = false;
 
+  // Return the open mesh without the filled faces (Reconstruction::filled).
+  bool trim = false;
+
   NonFinite non_finite = NonFinite::refuse;
 };
 
