@@ -13,6 +13,7 @@
 #include "cut/manifold.h"
 #include "cut/specks.h"
 #include "cut/surface_cut.h"
+#include "feature/feature_points.h"
 #include "forecast.h"
 #include "options.h"
 #include "output.h"
@@ -50,8 +51,9 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   stage.mesh = delaunay(samples.points, samples.points.size(), job);
   job.stage("seeds", shares.seeds);
   stage.stars = Stars(stage.mesh);
-  stage.model = {options.lambda, options.curvature,
-                 sample_spacing(stage.mesh, stage.stars, job.threads())};
+  stage.model.lambda = options.lambda;
+  stage.model.curvature = options.curvature;
+  stage.model.spacing = sample_spacing(stage.mesh, stage.stars, job.threads());
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
@@ -147,6 +149,54 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   require_inside(labels);
   if (options.swap) run_swaps(stage, shares.swap, labels, report, job);
+  const int rounds = std::getenv("ROUNDS") ? std::atoi(std::getenv("ROUNDS")) : 2;
+  Samples more = samples;
+  std::vector<std::vector<Vec3>> added;
+  for (int r = 0; r < rounds; ++r) {
+    job.stage("sense", 0);
+    ExtractedSurface surface = extract_surface(stage.mesh, labels);
+    for (Triangle& t : surface.triangles)
+      for (Index& v : t) v = surface.point[v];
+    const FacetMesh facets(std::move(surface.triangles), stage.mesh.points.size());
+    const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing, job);
+    job.stage("insert", 0);
+    const std::vector<FeaturePoint> found =
+        feature_points(stage.mesh.points, facets, stage.model.spacing, sensed, samples.points.size(), job);
+    fprintf(stderr, "round %d: %zu surfaces of %zu points, %zu inserted\n", r, sensed.surface.size(), stage.mesh.points.size(), found.size());
+    if (std::getenv("DUMP")) {
+      FILE* out = fopen((std::string(std::getenv("DUMP")) + std::to_string(r) + ".txt").c_str(), "w");
+      for (Index v = 0; v < stage.mesh.points.size(); ++v) {
+        const Vec3 p = samples.frame.to_user(stage.mesh.points[v]);
+        fprintf(out, "P %u %.17g %.17g %.17g %.9g %zu\n", v, p.x, p.y, p.z, stage.model.spacing[v] / samples.frame.scale, sensed.at(v).size());
+        for (const LocalSurface& q : sensed.at(v)) {
+          const Vec3 n = q.normal(stage.mesh.points[v]);
+          fprintf(out, "S %u %.9g %.9g %.9g %.9g\n", v, n.x, n.y, n.z, q.distance(stage.mesh.points[v]) / samples.frame.scale);
+        }
+      }
+      for (const FeaturePoint& f : found) {
+        const Vec3 p = samples.frame.to_user(f.position);
+        fprintf(out, "F %d %.17g %.17g %.17g\n", f.corner, p.x, p.y, p.z);
+      }
+      fclose(out);
+    }
+    if (found.empty()) break;
+    for (const FeaturePoint& p : found) { more.points.push_back(p.position); added.push_back(p.normals); }
+    Sides sides;
+    sides.first.push_back(0);
+    for (Index v = 0; v < more.points.size(); ++v) {
+      if (v < samples.points.size())
+        for (const LocalSurface& q : sensed.at(v)) sides.normal.push_back(q.normal(stage.mesh.points[v]));
+      else
+        for (Vec3 n : added[v - samples.points.size()]) sides.normal.push_back(n);
+      sides.first.push_back(static_cast<Index>(sides.normal.size()));
+    }
+    stage = seed_samples(more, options, shares, job);
+    stage.model.sides = std::move(sides);
+    stage.model.lean = std::getenv("LEAN") ? std::atof(std::getenv("LEAN")) : 1;
+    labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
+    run_swaps(stage, shares.swap, labels, report, job);
+  }
+  stage.mesh.samples = samples.points.size();
 
   job.stage("check", shares.check);
   fill_counts(cloud, samples, stage.mesh, stage.model.spacing, stage.seeds, report);

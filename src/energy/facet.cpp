@@ -1,5 +1,7 @@
 #include "energy/facet.h"
 
+#include <algorithm>
+
 #include "base/vec.h"
 
 namespace arris {
@@ -16,6 +18,28 @@ Vec3 facet_normal(const TetMesh& mesh, Tet t, int i) {
   return mine ? normal : -normal;
 }
 
+// Mean over the corners of the squared sine between the facet and the nearest side of the corner.
+static double lean(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) {
+  if (model.sides.first.empty()) return 0;
+  const Vec3 n = facet_normal(mesh, t, i);
+  const double nn = squared_length(n);
+  if (!(nn > 0)) return 0;
+  double sum = 0;
+  int known = 0;
+  for (int corner : facet_corners[static_cast<std::size_t>(i)]) {
+    const Index v = mesh.vertices[t][static_cast<std::size_t>(corner)];
+    double best = -1;
+    for (Index s = model.sides.first[v]; s < model.sides.first[v + 1]; ++s) {
+      const double c = dot(n, model.sides.normal[s]);
+      best = std::max(best, c * c / nn);
+    }
+    if (best < 0) continue;
+    ++known;
+    sum += 1 - best;
+  }
+  return known ? sum / known : 0;
+}
+
 double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) {
   const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
   if (n < t) return fidelity_cost(mesh, model, n, mesh.facet_to(n, t));
@@ -23,7 +47,7 @@ double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i
   for (int corner : facet_corners[static_cast<std::size_t>(i)])
     h += 1.0 / 3 * model.spacing[mesh.vertices[t][static_cast<std::size_t>(corner)]];
   const FacetDistance f = facet_distance(mesh, t, i);
-  return f.mean_distance * f.area / (h * h * h);
+  return f.mean_distance * f.area / (h * h * h) + model.lean * lean(mesh, model, t, i) * f.area / (h * h);
 }
 
 FidelityCosts::FidelityCosts(const TetMesh& mesh, const EnergyModel& model)
