@@ -14,6 +14,7 @@
 #include "cut/specks.h"
 #include "cut/surface_cut.h"
 #include "feature/feature_points.h"
+#include "feature/protect.h"
 #include "forecast.h"
 #include "options.h"
 #include "output.h"
@@ -45,7 +46,8 @@ struct Stage {
   EnergyModel model;
 };
 
-Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job) {
+Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job,
+                   std::vector<double> spacing = {}) {
   Stage stage;
   job.stage("delaunay", shares.delaunay);
   stage.mesh = delaunay(samples.points, samples.points.size(), job);
@@ -53,7 +55,7 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   stage.stars = Stars(stage.mesh);
   stage.model.lambda = options.lambda;
   stage.model.curvature = options.curvature;
-  stage.model.spacing = sample_spacing(stage.mesh, stage.stars, job.threads());
+  stage.model.spacing = spacing.empty() || std::getenv("NOINHERIT") ? sample_spacing(stage.mesh, stage.stars, job.threads()) : std::move(spacing);
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
@@ -151,7 +153,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   if (options.swap) run_swaps(stage, shares.swap, labels, report, job);
   const int rounds = std::getenv("ROUNDS") ? std::atoi(std::getenv("ROUNDS")) : 2;
   Samples more = samples;
-  std::vector<std::vector<Vec3>> added;
+  std::vector<FeaturePoint> features;
   for (int r = 0; r < rounds; ++r) {
     job.stage("sense", 0);
     ExtractedSurface surface = extract_surface(stage.mesh, labels);
@@ -160,8 +162,17 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     const FacetMesh facets(std::move(surface.triangles), stage.mesh.points.size());
     const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing, job);
     job.stage("insert", 0);
-    const std::vector<FeaturePoint> found =
-        feature_points(stage.mesh.points, facets, stage.model.spacing, sensed, samples.points.size(), job);
+    const std::size_t before = features.size();
+    find_feature_points(stage.mesh.points, facets, stage.model.spacing, sensed, features, job);
+    const std::size_t fresh = features.size();
+    std::vector<FeaturePoint> all = features;
+    for (Index v = 0; v < samples.points.size(); ++v)
+      if (sensed.at(v).size() > 1) all.push_back({stage.mesh.points[v], stage.model.spacing[v], false, {sensed.at(v).begin(), sensed.at(v).end()}});
+    const std::size_t known = all.size();
+    protect_curves(samples.points, all, job);
+    features.insert(features.end(), all.begin() + static_cast<std::ptrdiff_t>(known), all.end());
+    const std::vector<FeaturePoint> found(features.begin() + static_cast<std::ptrdiff_t>(before), features.end());
+    fprintf(stderr, "%zu candidates kept, %zu to protect\n", fresh - before, features.size() - fresh);
     fprintf(stderr, "round %d: %zu surfaces of %zu points, %zu inserted\n", r, sensed.surface.size(), stage.mesh.points.size(), found.size());
     if (std::getenv("DUMP")) {
       FILE* out = fopen((std::string(std::getenv("DUMP")) + std::to_string(r) + ".txt").c_str(), "w");
@@ -180,17 +191,20 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
       fclose(out);
     }
     if (found.empty()) break;
-    for (const FeaturePoint& p : found) { more.points.push_back(p.position); added.push_back(p.normals); }
+    for (const FeaturePoint& p : found) { more.points.push_back(p.position); }
     Sides sides;
     sides.first.push_back(0);
     for (Index v = 0; v < more.points.size(); ++v) {
       if (v < samples.points.size())
         for (const LocalSurface& q : sensed.at(v)) sides.normal.push_back(q.normal(stage.mesh.points[v]));
       else
-        for (Vec3 n : added[v - samples.points.size()]) sides.normal.push_back(n);
+        for (const LocalSurface& q : features[v - samples.points.size()].surfaces) sides.normal.push_back(q.normal(more.points[v]));
       sides.first.push_back(static_cast<Index>(sides.normal.size()));
     }
-    stage = seed_samples(more, options, shares, job);
+    std::vector<double> spacing = stage.model.spacing;
+    for (const FeaturePoint& p : found) spacing.push_back(p.spacing);
+    stage = seed_samples(more, options, shares, job, spacing);
+    if (std::getenv("SOFT")) for (auto& f : stage.seeds.firm) f = 0;
     stage.model.sides = std::move(sides);
     stage.model.lean = std::getenv("LEAN") ? std::atof(std::getenv("LEAN")) : 1;
     labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);

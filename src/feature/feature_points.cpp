@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "cloud/nearest.h"
+#include "feature/meet.h"
 
 namespace arris {
 namespace {
@@ -45,34 +46,6 @@ struct Meeting {
     return !sensed.at(u).empty() && !sensed.at(v).empty();
   }
 };
-
-// Newton on the first two surfaces and the plane through `start` across their edge.
-std::optional<Vec3> meet(const LocalSurface& a, const LocalSurface& b, Vec3 start,
-                         double least_sine) {
-  Vec3 x = start;
-  for (int step = 0; step < 6; ++step) {
-    const Vec3 na = a.normal(x), nb = b.normal(x);
-    const Vec3 t = cross(na, nb);
-    const double d = squared_length(t);
-    if (d < least_sine * least_sine) return std::nullopt;
-    const double ra = -a.distance(x), rb = -b.distance(x), rt = dot(t, start - x);
-    x = x + (1 / d) * (ra * cross(nb, t) + rb * cross(t, na) + rt * t);
-  }
-  return x;
-}
-
-std::optional<Vec3> meet(const LocalSurface& a, const LocalSurface& b, const LocalSurface& c,
-                         Vec3 start) {
-  Vec3 x = start;
-  for (int step = 0; step < 6; ++step) {
-    const Vec3 na = a.normal(x), nb = b.normal(x), nc = c.normal(x);
-    const double det = dot(na, cross(nb, nc));
-    if (std::abs(det) < 0.05) return std::nullopt;
-    const double ra = -a.distance(x), rb = -b.distance(x), rc = -c.distance(x);
-    x = x + (1 / det) * (ra * cross(nb, nc) + rb * cross(nc, na) + rc * cross(na, nb));
-  }
-  return x;
-}
 
 // +1: convex edge between them, -1: concave, 0: neither.
 int turn(const Meeting& m, Index u, const LocalSurface& a, Index v, const LocalSurface& b) {
@@ -118,7 +91,7 @@ void try_edge(const Meeting& m, Index u, const LocalSurface& a, Index v, const L
     const double near = std::min(distance(*x, m.points[u]), distance(*x, m.points[v])) / h;
     if (start != middle && near > m.foot) continue;
     if (cut_off(m, u, a, v, b, *x)) continue;
-    out.push_back({{*x, h, false, {a.normal(*x), b.normal(*x)}}, near});
+    out.push_back({{*x, h, false, {a, b}}, near});
   }
 }
 
@@ -163,7 +136,7 @@ void try_corner(const Meeting& m, const Side& a, const Side& b, const Side& c, V
   double near = 0;
   for (const Side& k : {a, b, c}) near = std::max(near, distance(m.points[k.v], *x) / h);
   if (near > m.corner_farthest) return;
-  out.push_back({{*x, h, true, {a.s->normal(*x), b.s->normal(*x), c.s->normal(*x)}}, near});
+  out.push_back({{*x, h, true, {*a.s, *b.s, *c.s}}, near});
 }
 
 void corner_candidates(const Meeting& m, std::vector<Candidate>& out) {
@@ -190,9 +163,9 @@ void vote(std::vector<Candidate>& all) {
 
 }  // namespace
 
-std::vector<FeaturePoint> feature_points(const std::vector<Vec3>& points, const FacetMesh& mesh,
+void find_feature_points(const std::vector<Vec3>& points, const FacetMesh& mesh,
                                          const std::vector<double>& spacing, const Sensed& sensed,
-                                         std::size_t samples, Job& job) {
+                                         std::vector<FeaturePoint>& kept, Job& job) {
   const Meeting m{points, mesh, spacing, sensed};
   std::vector<Candidate> candidates;
   corner_candidates(m, candidates);
@@ -204,9 +177,8 @@ std::vector<FeaturePoint> feature_points(const std::vector<Vec3>& points, const 
     if (a.votes != b.votes && a.point.corner) return a.votes > b.votes;
     return a.quality < b.quality;
   });
-  const double apart = env("APART", 0.5), occupied = env("OCC", 0.01);
+  const double apart = env("APART", 0.4), occupied = env("OCC", 0.01);
   // Thin: a grid would do; candidates are few.
-  std::vector<FeaturePoint> kept;
   const NearestSample nearest(points);
   std::vector<std::pair<std::array<long, 3>, Index>> grid;
   double cell = 0;
@@ -217,10 +189,7 @@ std::vector<FeaturePoint> feature_points(const std::vector<Vec3>& points, const 
     return std::array<long, 3>{std::lround(std::floor(x.x / cell)), std::lround(std::floor(x.y / cell)),
                                std::lround(std::floor(x.z / cell))};
   };
-  for (std::size_t v = samples; v < points.size(); ++v) {
-    cells[key_of(points[v])].push_back(static_cast<Index>(kept.size()));
-    kept.push_back({points[v], spacing[v], false, {}});
-  }
+  for (Index i = 0; i < kept.size(); ++i) cells[key_of(kept[i].position)].push_back(i);
   for (const Candidate& c : candidates) {
     const Vec3 x = c.point.position;
     const double h = c.point.spacing;
@@ -239,8 +208,6 @@ std::vector<FeaturePoint> feature_points(const std::vector<Vec3>& points, const 
     cells[key].push_back(static_cast<Index>(kept.size()));
     kept.push_back(c.point);
   }
-  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(points.size() - samples));
-  return kept;
 }
 
 }  // namespace arris

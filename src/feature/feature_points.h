@@ -11,12 +11,13 @@ struct FeaturePoint {
   Vec3 position;
   double spacing = 0;   // h there
   bool corner = false;
-  std::vector<Vec3> normals;  // of the surfaces that meet there
+  std::vector<LocalSurface> surfaces;  // that meet there
 };
 
-// `added`: none of the points from this index on is a sample; they may be replaced.
-std::vector<FeaturePoint> feature_points(const std::vector<Vec3>& points, const FacetMesh& mesh,
-                                         const std::vector<double>& spacing, const Sensed& sensed,
-                                         std::size_t samples, Job& job);
+// Appends to `features`, which holds what earlier rounds found; points[samples ..] are their
+// positions.
+void find_feature_points(const std::vector<Vec3>& points, const FacetMesh& mesh,
+                         const std::vector<double>& spacing, const Sensed& sensed,
+                         std::vector<FeaturePoint>& features, Job& job);
 
 }  // namespace arris
