@@ -1,4 +1,5 @@
-// The whole pipeline on one page: samples → tetrahedra → seeds → cut → swap → surface.
+// The whole pipeline on one page: samples → tetrahedra → seeds → cut → swap → features, cut again →
+// surface.
 #include "arris/reconstruct.h"
 
 #include <algorithm>
@@ -8,22 +9,15 @@
 #include "base/job.h"
 #include "base/vec.h"
 #include "cloud/prepare.h"
-#include "cut/facet_costs.h"
 #include "cut/level_set.h"
-#include "cut/manifold.h"
-#include "cut/specks.h"
 #include "cut/surface_cut.h"
-#include "feature/feature_points.h"
-#include "feature/protect.h"
 #include "forecast.h"
 #include "options.h"
 #include "output.h"
 #include "seed/seeds.h"
 #include "seed/transfer.h"
+#include "stage.h"
 #include "surface/certify.h"
-#include "surface/extract.h"
-#include "swap/flat.h"
-#include "swap/swap.h"
 #include "tetra/background.h"
 #include "tetra/delaunay.h"
 #include "tetra/geometry.h"
@@ -33,21 +27,12 @@ namespace {
 
 // Shares of the whole time, for the progress bar; measured at a million points.
 struct Shares {
-  double samples, delaunay, seeds, background, cut, swap, check;
+  double samples, delaunay, seeds, background, cut, swap, features, check;
 };
-constexpr Shares automatic_shares = {0.01, 0.31, 0.12, 0, 0.08, 0.42, 0.06};
-constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0.05};
+constexpr Shares automatic_shares = {0.01, 0.12, 0.04, 0, 0.03, 0.17, 0.43, 0.03};
+constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0, 0.05};
 
-// A tetrahedral mesh of the samples, what is known of its tetrahedra, and the energy to minimize.
-struct Stage {
-  TetMesh mesh;
-  Stars stars;
-  Seeds seeds;
-  EnergyModel model;
-};
-
-Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job,
-                   std::vector<double> spacing = {}) {
+Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job) {
   Stage stage;
   job.stage("delaunay", shares.delaunay);
   stage.mesh = delaunay(samples.points, samples.points.size(), job);
@@ -55,22 +40,10 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   stage.stars = Stars(stage.mesh);
   stage.model.lambda = options.lambda;
   stage.model.curvature = options.curvature;
-  stage.model.spacing = spacing.empty() || std::getenv("NOINHERIT") ? sample_spacing(stage.mesh, stage.stars, job.threads()) : std::move(spacing);
+  stage.model.spacing = sample_spacing(stage.mesh, stage.stars, job.threads());
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
-}
-
-// Cut, and the manifold next to it, without specks.
-SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
-                        Job& job) {
-  SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
-  report.manifold_flips += make_manifold(
-      stage.mesh, stage.stars,
-      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
-      cut.labels, job);
-  report.specks = remove_specks(stage.mesh, stage.model.spacing, cut.labels);
-  return cut;
 }
 
 // Delaunay of samples and background points, with the seeds of the samples alone (paper, section
@@ -111,13 +84,23 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
   return labels;
 }
 
-void run_swaps(const Stage& stage, double share, Labels& labels, Report& report, Job& job) {
-  job.stage("swap", share);
-  SwapOptions options;
-  options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
-  SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
-  report.swap_energy = std::move(swaps.energy);
-  report.swaps = swaps.accepted;
+// Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
+// and the surface is cut anew, until there is nothing to add. The rounds between the first and the
+// last surface go without swaps.
+void sharpen(Stage& stage, std::size_t samples, double share, Labels& labels, Report& report,
+             Job& job) {
+  constexpr int rounds = 2;
+  std::vector<FeaturePoint> features;
+  for (int round = 1; round <= rounds; ++round) {
+    job.stage("features " + std::to_string(round), share / rounds);
+    Stage next = add_features(stage, labels, samples, features, job);
+    if (next.mesh.points.empty()) break;
+    stage = std::move(next);
+    SurfaceCut cut = cut_manifold(stage, {}, report, job);
+    report.cut_energy.push_back(cut.energy);
+    labels = std::move(cut.labels);
+  }
+  report.feature_points = features.size();
 }
 
 void require_attributes(const PointCloud& cloud) {
@@ -150,67 +133,14 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   if (options.background > 0) stage = add_background(stage, samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   require_inside(labels);
-  if (options.swap) run_swaps(stage, shares.swap, labels, report, job);
-  const int rounds = std::getenv("ROUNDS") ? std::atoi(std::getenv("ROUNDS")) : 2;
-  Samples more = samples;
-  std::vector<FeaturePoint> features;
-  for (int r = 0; r < rounds; ++r) {
-    job.stage("sense", 0);
-    ExtractedSurface surface = extract_surface(stage.mesh, labels);
-    for (Triangle& t : surface.triangles)
-      for (Index& v : t) v = surface.point[v];
-    const FacetMesh facets(std::move(surface.triangles), stage.mesh.points.size());
-    const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing, job);
-    job.stage("insert", 0);
-    const std::size_t before = features.size();
-    find_feature_points(stage.mesh.points, facets, stage.model.spacing, sensed, features, job);
-    const std::size_t fresh = features.size();
-    std::vector<FeaturePoint> all = features;
-    for (Index v = 0; v < samples.points.size(); ++v)
-      if (sensed.at(v).size() > 1) all.push_back({stage.mesh.points[v], stage.model.spacing[v], false, {sensed.at(v).begin(), sensed.at(v).end()}});
-    const std::size_t known = all.size();
-    protect_curves(samples.points, all, job);
-    features.insert(features.end(), all.begin() + static_cast<std::ptrdiff_t>(known), all.end());
-    const std::vector<FeaturePoint> found(features.begin() + static_cast<std::ptrdiff_t>(before), features.end());
-    fprintf(stderr, "%zu candidates kept, %zu to protect\n", fresh - before, features.size() - fresh);
-    fprintf(stderr, "round %d: %zu surfaces of %zu points, %zu inserted\n", r, sensed.surface.size(), stage.mesh.points.size(), found.size());
-    if (std::getenv("DUMP")) {
-      FILE* out = fopen((std::string(std::getenv("DUMP")) + std::to_string(r) + ".txt").c_str(), "w");
-      for (Index v = 0; v < stage.mesh.points.size(); ++v) {
-        const Vec3 p = samples.frame.to_user(stage.mesh.points[v]);
-        fprintf(out, "P %u %.17g %.17g %.17g %.9g %zu\n", v, p.x, p.y, p.z, stage.model.spacing[v] / samples.frame.scale, sensed.at(v).size());
-        for (const LocalSurface& q : sensed.at(v)) {
-          const Vec3 n = q.normal(stage.mesh.points[v]);
-          fprintf(out, "S %u %.9g %.9g %.9g %.9g\n", v, n.x, n.y, n.z, q.distance(stage.mesh.points[v]) / samples.frame.scale);
-        }
-      }
-      for (const FeaturePoint& f : found) {
-        const Vec3 p = samples.frame.to_user(f.position);
-        fprintf(out, "F %d %.17g %.17g %.17g\n", f.corner, p.x, p.y, p.z);
-      }
-      fclose(out);
-    }
-    if (found.empty()) break;
-    for (const FeaturePoint& p : found) { more.points.push_back(p.position); }
-    Sides sides;
-    sides.first.push_back(0);
-    for (Index v = 0; v < more.points.size(); ++v) {
-      if (v < samples.points.size())
-        for (const LocalSurface& q : sensed.at(v)) sides.normal.push_back(q.normal(stage.mesh.points[v]));
-      else
-        for (const LocalSurface& q : features[v - samples.points.size()].surfaces) sides.normal.push_back(q.normal(more.points[v]));
-      sides.first.push_back(static_cast<Index>(sides.normal.size()));
-    }
-    std::vector<double> spacing = stage.model.spacing;
-    for (const FeaturePoint& p : found) spacing.push_back(p.spacing);
-    stage = seed_samples(more, options, shares, job, spacing);
-    if (std::getenv("SOFT")) for (auto& f : stage.seeds.firm) f = 0;
-    stage.model.sides = std::move(sides);
-    stage.model.lean = std::getenv("LEAN") ? std::atof(std::getenv("LEAN")) : 1;
-    labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
-    run_swaps(stage, shares.swap, labels, report, job);
+  job.stage("swap", shares.swap);
+  if (options.swap) run_swaps(stage, labels, report, job);
+  if (options.features) {
+    sharpen(stage, samples.points.size(), shares.features, labels, report, job);
+    job.stage("swap again", shares.swap);
+    if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);
+    stage.mesh.samples = samples.points.size();
   }
-  stage.mesh.samples = samples.points.size();
 
   job.stage("check", shares.check);
   fill_counts(cloud, samples, stage.mesh, stage.model.spacing, stage.seeds, report);

@@ -5,21 +5,15 @@
 #include "base/vec.h"
 
 namespace arris {
+namespace {
 
-Vec3 facet_normal(const TetMesh& mesh, Tet t, int i) {
-  const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
-  const bool mine = t < n;
-  const Tet owner = mine ? t : n;
-  const auto& corners = facet_corners[static_cast<std::size_t>(mine ? i : mesh.facet_to(n, t))];
-  const auto x = [&](std::size_t k) {
-    return mesh.points[mesh.vertices[owner][static_cast<std::size_t>(corners[k])]];
-  };
-  const Vec3 a = x(0), normal = cross(x(1) - a, x(2) - a);
-  return mine ? normal : -normal;
-}
+// Weight of a facet at right angles to all sides against one a spacing away from all samples.
+// Measured: 0.3 to 10 give the same surface, 0 cuts corners off.
+constexpr double lean_weight = 1;
 
-// Mean over the corners of the squared sine between the facet and the nearest side of the corner.
-static double lean(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) {
+// Mean over the corners, as far as known, of the squared sine between the facet and that side of
+// the corner to which it is nearest.
+double lean(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) {
   if (model.sides.first.empty()) return 0;
   const Vec3 n = facet_normal(mesh, t, i);
   const double nn = squared_length(n);
@@ -40,6 +34,20 @@ static double lean(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) 
   return known ? sum / known : 0;
 }
 
+}  // namespace
+
+Vec3 facet_normal(const TetMesh& mesh, Tet t, int i) {
+  const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
+  const bool mine = t < n;
+  const Tet owner = mine ? t : n;
+  const auto& corners = facet_corners[static_cast<std::size_t>(mine ? i : mesh.facet_to(n, t))];
+  const auto x = [&](std::size_t k) {
+    return mesh.points[mesh.vertices[owner][static_cast<std::size_t>(corners[k])]];
+  };
+  const Vec3 a = x(0), normal = cross(x(1) - a, x(2) - a);
+  return mine ? normal : -normal;
+}
+
 double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i) {
   const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
   if (n < t) return fidelity_cost(mesh, model, n, mesh.facet_to(n, t));
@@ -47,7 +55,8 @@ double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i
   for (int corner : facet_corners[static_cast<std::size_t>(i)])
     h += 1.0 / 3 * model.spacing[mesh.vertices[t][static_cast<std::size_t>(corner)]];
   const FacetDistance f = facet_distance(mesh, t, i);
-  return f.mean_distance * f.area / (h * h * h) + model.lean * lean(mesh, model, t, i) * f.area / (h * h);
+  const double distance = f.mean_distance / h;
+  return (distance + lean_weight * lean(mesh, model, t, i)) * f.area / (h * h);
 }
 
 FidelityCosts::FidelityCosts(const TetMesh& mesh, const EnergyModel& model)

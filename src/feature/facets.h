@@ -9,22 +9,29 @@
 
 namespace arris {
 
-// Flat arrays: facets, the facet across each side, and the facets round each point.
+// Flat arrays: facets, the facet across each side, the facets round each point.
 struct FacetMesh {
   std::vector<Triangle> facets;                  // indices of points, outward
   std::vector<std::array<Index, 3>> neighbours;  // [f][i]: across the side opposite corner i
+  std::vector<Vec3> normal;                      // unit; zero where a facet has none to judge by
   std::vector<Index> first, around;              // facets at point v: around[first[v]..first[v+1])
 
-  // Facets over `points` points. O(facets log facets). Every side must be shared by exactly two
-  // facets, in opposite directions; throws Failure(internal) otherwise.
-  FacetMesh(std::vector<Triangle> triangles, std::size_t points);
+  // Every side must be shared by exactly two facets, in opposite directions; throws
+  // Failure(internal) otherwise. O(points + facets) for bounded degrees.
+  FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points, unsigned threads);
 
   std::span<const Index> star(Index v) const noexcept {
     return {around.data() + first[v], around.data() + first[v + 1]};
   }
 };
 
-// Index of the corner of facet `f` that is not an end of its side with `other`.
-int corner_opposite(const FacetMesh& mesh, Index f, Index other) noexcept;
+// The points that share a facet with v, ascending. O(degree).
+void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);
+// Those of the rings of the ring, too, without v. O(degree²).
+void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out);
+
+// Marks the points within two rings of a side at which the surface bends by more than `angle`
+// (radians): where a feature can be. O(facets).
+std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, double angle, std::size_t points);
 
 }  // namespace arris

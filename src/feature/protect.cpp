@@ -1,118 +1,120 @@
 #include "feature/protect.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <map>
 
 #include "cloud/nearest.h"
 #include "feature/meet.h"
+#include "feature/point_grid.h"
 
 namespace arris {
 namespace {
 
-double env(const char* name, double value) {
-  const char* s = std::getenv(name);
-  return s ? std::atof(s) : value;
-}
+// All in units of spacing. Gaps are looked for up to `reach`, split above `longest` always, above
+// `shortest` if a point enters; a point nearer than `occupied` to the new one makes it needless.
+constexpr double reach = 2.5;
+constexpr double longest = 0.8;
+constexpr double shortest = 0.3;
+constexpr double occupied = 0.01;
+// A curve goes on within this cosine of its direction.
+constexpr double ahead = 0.9;
+// Two surfaces are the same at a feature point within this cosine and distance.
+constexpr double same_cosine = 0.97, same_distance = 0.1;
+// New points are kept away from the ends of the gap, and near to it.
+constexpr double least_share = 0.25, largest_move = 0.3;
+constexpr double least_sine = 0.1;
+// What enters the diametral ball itself, not its boundary.
+constexpr double inside = 0.499;
 
 class Protector {
  public:
-  Protector(const std::vector<Vec3>& points, std::vector<FeaturePoint>& features)
-      : points_(points), features_(features), nearest_(points) {
-    for (const FeaturePoint& f : features_) cell_ = std::max(cell_, reach_ * f.spacing);
-    for (Index i = 0; i < features_.size(); ++i) place(i);
+  Protector(const std::vector<Vec3>& points, std::vector<FeaturePoint>& all, double h)
+      : points_(points), all_(all), nearest_(points), grid_(reach * h) {
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      grid_.add(all_[i].position, static_cast<Index>(i));
   }
 
-  void run() {
-    for (Index i = 0; i < features_.size(); ++i) gaps_of(i);  // grows while it runs
+  void run(Job& job) {
+    for (std::size_t i = 0; i < all_.size(); ++i) {  // grows while it runs
+      if (i % 4096 == 0) job.tick(0);
+      const FeaturePoint p = all_[i];
+      for (std::size_t a = 0; a < p.surfaces.size(); ++a)
+        for (std::size_t b = a + 1; b < p.surfaces.size(); ++b)
+          split_along(p, p.surfaces[a], p.surfaces[b]);
+    }
   }
 
  private:
-  void gaps_of(Index i) {
-    const FeaturePoint f = features_[i];
-    for (std::size_t a = 0; a < f.surfaces.size(); ++a)
-      for (std::size_t b = a + 1; b < f.surfaces.size(); ++b) {
-        const Vec3 t = cross(f.surfaces[a].normal(f.position), f.surfaces[b].normal(f.position));
-        const double len = length(t);
-        if (len < 0.1) continue;
-        for (double sign : {1.0, -1.0})
-          gap(i, f.surfaces[a], f.surfaces[b], (sign / len) * t);
-      }
-  }
-
-  void gap(Index i, const LocalSurface& a, const LocalSurface& b, Vec3 direction) {
-    const FeaturePoint f = features_[i];
-    const Index j = next(f, a, b, direction);
-    if (j == no_index) return;
-    const Vec3 p = f.position, q = features_[j].position;
-    const double gap = distance(p, q), h = std::min(f.spacing, features_[j].spacing);
-    const Vec3 middle = 0.5 * (p + q);
-    const NearestSample::Hit hit = nearest_(middle);
-    const bool entered = hit.distance < 0.499 * gap && gap > shortest_ * h;
-    if (!entered && gap <= longest_ * h) return;
-    double share = 0.5;
-    if (entered) {
-      share = dot(points_[hit.index] - p, q - p) / (gap * gap);
-      share = std::clamp(share, 0.25, 0.75);
+  void split_along(const FeaturePoint& p, const LocalSurface& a, const LocalSurface& b) {
+    const Vec3 t = cross(a.normal(p.position), b.normal(p.position));
+    const double sine = length(t);
+    if (sine < least_sine) return;
+    for (double sign : {1.0, -1.0}) {
+      const Index q = next(p, a, b, (sign / sine) * t);
+      if (q != no_index) split(p, FeaturePoint(all_[q]), a, b);
     }
-    const Vec3 start = p + share * (q - p);
-    const auto x = meet(a, b, start, 0.1);
-    if (!x || distance(*x, start) > 0.3 * gap) return;
-    if (nearest_(*x).distance < 0.01 * h) return;
-    features_.push_back({*x, share * features_[j].spacing + (1 - share) * f.spacing, false, {a, b}});
-    place(static_cast<Index>(features_.size() - 1));
   }
 
-  // The feature nearest in the direction that lies on both surfaces.
-  Index next(const FeaturePoint& f, const LocalSurface& a, const LocalSurface& b,
+  void split(const FeaturePoint& p, const FeaturePoint& q, const LocalSurface& a,
+             const LocalSurface& b) {
+    const Vec3 along = q.position - p.position;
+    const double gap = length(along), h = std::min(p.spacing, q.spacing);
+    const NearestSample::Hit hit = nearest_(p.position + 0.5 * along);
+    const bool entered = hit.distance < inside * gap && gap > shortest * h;
+    if (!entered && gap <= longest * h) return;
+    double share = 0.5;
+    if (entered)
+      share = std::clamp(dot(points_[hit.index] - p.position, along) / (gap * gap), least_share,
+                         1 - least_share);
+    const Vec3 start = p.position + share * along;
+    const auto x = meet(a, b, start, least_sine);
+    if (!x || distance(*x, start) > largest_move * gap) return;
+    if (nearest_(*x).distance < occupied * h) return;
+    grid_.add(*x, static_cast<Index>(all_.size()));
+    all_.push_back({*x, share * q.spacing + (1 - share) * p.spacing, false, p.near, {a, b}});
+  }
+
+  // The next feature point on both surfaces in that direction.
+  Index next(const FeaturePoint& p, const LocalSurface& a, const LocalSurface& b,
              Vec3 direction) const {
-    const auto key = key_of(f.position);
     Index best = no_index;
-    double best_distance = reach_ * f.spacing;
-    for (long i = -1; i <= 1; ++i)
-      for (long j = -1; j <= 1; ++j)
-        for (long k = -1; k <= 1; ++k) {
-          const auto it = cells_.find({key[0] + i, key[1] + j, key[2] + k});
-          if (it == cells_.end()) continue;
-          for (Index other : it->second) {
-            const Vec3 d = features_[other].position - f.position;
-            const double far = length(d);
-            if (far >= best_distance || dot(d, direction) < 0.9 * far || !(far > 0)) continue;
-            if (!has(features_[other], a) || !has(features_[other], b)) continue;
-            best = other;
-            best_distance = far;
-          }
-        }
+    double nearest = reach * p.spacing;
+    grid_.visit(p.position, [&](Index i) {
+      const Vec3 d = all_[i].position - p.position;
+      const double far = length(d);
+      if (!(far > 0) || far >= nearest || dot(d, direction) < ahead * far) return;
+      if (!has(all_[i], a) || !has(all_[i], b)) return;
+      best = i;
+      nearest = far;
+    });
     return best;
   }
 
-  static bool has(const FeaturePoint& f, const LocalSurface& s) {
-    for (const LocalSurface& o : f.surfaces)
-      if (dot(o.normal(f.position), s.normal(f.position)) > 0.97 &&
-          std::abs(s.distance(f.position)) < 0.1 * f.spacing)
-        return true;
-    return false;
+  static bool has(const FeaturePoint& p, const LocalSurface& s) {
+    return std::abs(s.distance(p.position)) < same_distance * p.spacing &&
+           std::any_of(p.surfaces.begin(), p.surfaces.end(), [&](const LocalSurface& o) {
+             return dot(o.normal(p.position), s.normal(p.position)) > same_cosine;
+           });
   }
-  std::array<long, 3> key_of(Vec3 x) const {
-    return {std::lround(std::floor(x.x / cell_)), std::lround(std::floor(x.y / cell_)),
-            std::lround(std::floor(x.z / cell_))};
-  }
-  void place(Index i) { cells_[key_of(features_[i].position)].push_back(i); }
 
   const std::vector<Vec3>& points_;
-  std::vector<FeaturePoint>& features_;
+  std::vector<FeaturePoint>& all_;
   NearestSample nearest_;
-  double reach_ = 2.5, longest_ = env("LONGEST", 0.8), shortest_ = env("SHORTEST", 0.3);
-  double cell_ = 0;
-  std::map<std::array<long, 3>, std::vector<Index>> cells_;
+  PointGrid grid_;
 };
 
 }  // namespace
 
-void protect_curves(const std::vector<Vec3>& points, std::vector<FeaturePoint>& features, Job&) {
-  Protector(points, features).run();
+void protect_curves(const std::vector<Vec3>& points, const std::vector<FeaturePoint>& marked,
+                    std::vector<FeaturePoint>& features, Job& job) {
+  std::vector<FeaturePoint> all = features;
+  all.insert(all.end(), marked.begin(), marked.end());
+  double h = 0;
+  for (const FeaturePoint& p : all) h = std::max(h, p.spacing);
+  if (!(h > 0)) return;
+  const auto known = static_cast<std::ptrdiff_t>(all.size());
+  Protector(points, all, h).run(job);
+  features.insert(features.end(), all.begin() + known, all.end());
 }
 
 }  // namespace arris

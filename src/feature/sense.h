@@ -1,7 +1,8 @@
 // Senses the smooth surfaces that meet at each sample: patches grown over the facets of a first
-// surface, each from one side of a feature only.
+// surface, each on one side of a feature, then settled between neighbours.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/job.h"
@@ -10,8 +11,9 @@
 
 namespace arris {
 
-// Surfaces of point v: surface[first[v] .. first[v+1]). None: not on the surface, or nothing smooth
-// was found there; one: a smooth point; two or more: the point lies on a feature.
+// Surfaces of point v: surface[first[v] .. first[v+1]). None: not on the surface, nothing smooth
+// was found, or the surface is so flat round it that no feature can be near; one: a smooth point;
+// two or more: the point lies on a feature.
 struct Sensed {
   std::vector<LocalSurface> surface;
   std::vector<Index> first;
@@ -21,7 +23,8 @@ struct Sensed {
   }
 };
 
-// `spacing`: sample spacing h > 0 per point. O(points), in parallel.
+// `spacing`: sample spacing h > 0 per point. O(points), in parallel; the result does not depend on
+// the number of threads.
 Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
                       const std::vector<double>& spacing, Job& job);
 
