@@ -1,5 +1,6 @@
 #include "stage.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "cut/facet_costs.h"
@@ -21,6 +22,19 @@ FacetMesh facets_of(const Stage& stage, const Labels& labels, unsigned threads) 
   for (Triangle& t : surface.triangles)
     for (Index& v : t) v = surface.point[v];
   return FacetMesh(std::move(surface.triangles), stage.mesh.points, threads);
+}
+
+// Everywhere at first; then only round the features that were found, where the surface is new.
+std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t points,
+                                          std::size_t samples) {
+  constexpr int rings = 3;  // what a corner that is still missing has round it
+  std::vector<std::uint8_t> wanted = near_bends(facets, points);
+  if (points == samples) return wanted;
+  std::vector<std::uint8_t> fresh(points, 0);
+  std::fill(fresh.begin() + static_cast<std::ptrdiff_t>(samples), fresh.end(), 1);
+  spread(facets, rings, fresh);
+  for (std::size_t v = 0; v < points; ++v) wanted[v] = wanted[v] && fresh[v];
+  return wanted;
 }
 
 // The sides at the samples as sensed, at the features as they were made.
@@ -63,7 +77,9 @@ Stage add_features(const Stage& stage, const Labels& labels, std::size_t samples
   Stage next;
   const std::size_t known = features.size();
   const FacetMesh facets = facets_of(stage, labels, job.threads());
-  const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing, job);
+  const Sensed sensed =
+      sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
+                     places_to_sense(facets, stage.mesh.points.size(), samples), job);
   insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
                         job);
   if (features.size() == known) return next;

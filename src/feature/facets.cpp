@@ -85,20 +85,23 @@ void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
   keep_distinct(out);
 }
 
-std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, double angle, std::size_t points) {
+std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points) {
   std::vector<std::uint8_t> marked(points, 0);
   const double cosine = std::cos(angle);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (dot(mesh.normal[f], mesh.normal[mesh.neighbours[f][i]]) < cosine)  // slivers too
+    for (Index g : mesh.neighbours[f])
+      if (dot(mesh.normal[f], mesh.normal[g]) < cosine)  // slivers too
         for (Index v : mesh.facets[f]) marked[v] = 1;
-  for (std::uint8_t round = 1; round <= 2; ++round)
-    for (const Triangle& t : mesh.facets)
-      for (Index v : t)
-        if (marked[v] == round)
-          for (Index w : t)
-            if (marked[w] == 0) marked[w] = static_cast<std::uint8_t>(round + 1);
   return marked;
+}
+
+void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked) {
+  for (int round = 0; round < rings; ++round) {
+    const std::vector<std::uint8_t> before = marked;
+    for (const Triangle& t : mesh.facets)
+      if (before[t[0]] || before[t[1]] || before[t[2]])
+        for (Index v : t) marked[v] = 1;
+  }
 }
 
 }  // namespace arris

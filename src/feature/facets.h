@@ -30,8 +30,10 @@ void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);
 // Those of the rings of the ring, too, without v. O(degree²).
 void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out);
 
-// Marks the points within two rings of a side at which the surface bends by more than `angle`
-// (radians): where a feature can be. O(facets).
-std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, double angle, std::size_t points);
+// Marks the points at sides where the surface bends by more than `angle` (radians). O(facets).
+std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points);
+
+// Marks the points within `rings` rings of marked ones, too. O(rings * facets).
+void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked);
 
 }  // namespace arris

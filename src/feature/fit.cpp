@@ -20,7 +20,8 @@ constexpr double exact = 1e-4;
 constexpr double plane_share = 0.6;
 // No plane if, after the first step, half of the members are farther off than this.
 constexpr double curved = 0.02;
-constexpr int robust_steps = 6;
+// A plane among outliers takes more steps than a quadric, which follows them.
+constexpr int plane_steps = 6, quadric_steps = 3;
 // Bisquare width in units of the median residual, at which normal residuals keep 95 % efficiency
 // (4.685 standard deviations, 0.6745 of which is the median).
 constexpr double bisquare = 4.685 / 1.4826;
@@ -65,10 +66,11 @@ double median_residual(const FitData& data, const LocalSurface& s, std::vector<d
   return *middle;
 }
 
-// Returns whether most members lie on the surface exactly.
+// Returns, of a plane, whether most members lie on it exactly.
 bool reweight(const FitData& data, Form form, LocalSurface& s) {
   std::vector<double> residual, scratch, weight(data.members.size());
-  for (int step = 0; step < robust_steps; ++step) {
+  const int steps = form == Form::plane ? plane_steps : quadric_steps;
+  for (int step = 0; step < steps; ++step) {
     const double median = median_residual(data, s, residual, scratch);
     if (form == Form::plane && step == 1 && median > curved) return false;
     if (*std::max_element(residual.begin(), residual.end()) <= exact) return true;
@@ -79,6 +81,7 @@ bool reweight(const FitData& data, Form form, LocalSurface& s) {
     }
     fit_weighted(data, weight, form, s);
   }
+  if (form == Form::quadric) return true;
   median_residual(data, s, residual, scratch);
   const auto on =
       std::count_if(residual.begin(), residual.end(), [](double r) { return r <= 10 * exact; });

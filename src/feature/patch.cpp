@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <queue>
 
@@ -27,9 +28,10 @@ bool contains(const std::vector<Index>& list, Index i) {
   return std::find(list.begin(), list.end(), i) != list.end();
 }
 
-// The fit is renewed with every member while there are few, then with every fourth.
+// The fit is renewed at growing intervals.
 bool is_due(std::size_t members) {
-  return members <= 10 || members % 4 == 0;
+  constexpr std::size_t due[] = {4, 6, 8, 10, 14, 20};
+  return std::find(std::begin(due), std::end(due), members) != std::end(due);
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ class Senser {
       : grower_(points, mesh, spacing), points_(points), mesh_(mesh), spacing_(spacing) {}
 
   void sense(Index v, std::vector<LocalSurface>& out) const {
+    const double bend = least_bend_at(v);
     for (double tolerance : tolerances) {
+      if (tolerance < bend && tolerance != tolerances.back()) continue;
       std::vector<Patch> found = patches(v, PatchTolerance(tolerance));
       std::stable_sort(found.begin(), found.end(), [](const Patch& a, const Patch& b) {
         return a.members.size() > b.members.size();
@@ -44,6 +46,15 @@ class Senser {
   }
 
  private:
+  // The least angle between two neighbouring facets of the star: no patch can be stricter.
+  double least_bend_at(Index v) const {
+    double cosine = -1;
+    for (Index f : mesh_.star(v))
+      for (Index g : mesh_.neighbours[f])
+        cosine = std::max(cosine, dot(mesh_.normal[f], mesh_.normal[g]));
+    return std::acos(std::min(cosine, 1.0));
+  }
+
   // One from each facet of the star that those before do not cover.
   std::vector<Patch> patches(Index v, const PatchTolerance& tolerance) const {
     std::vector<Patch> found;
@@ -75,9 +86,15 @@ class Senser {
 
 }  // namespace
 
+std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points) {
+  std::vector<std::uint8_t> marked = at_bends(mesh, least_bend, points);
+  spread(mesh, 2, marked);
+  return marked;
+}
+
 Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
-                      const std::vector<double>& spacing, Job& job) {
-  const std::vector<std::uint8_t> wanted = near_bends(mesh, least_bend, points.size());
+                      const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
+                      Job& job) {
   Found found(points.size()), settled(points.size());
   parallel_chunks(points.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
