@@ -34,6 +34,9 @@ struct Options {
   // Run the local swaps of section 4.
   bool swap = true;
 
+  // Add points on edges and corners that no sample lies on. Off in the paper's method.
+  bool features = true;
+
   // Also return the interior tetrahedra.
   bool tetrahedra = false;
 
