@@ -136,7 +136,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   require_inside(labels);
   job.stage("swap", shares.swap);
   if (options.swap) run_swaps(stage, labels, report, job);
-  if (options.features) {
+  if (options.sharpen) {
     sharpen(stage, samples.points.size(), shares.features, labels, report, job);
     job.stage("swap again", shares.swap);
     if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);

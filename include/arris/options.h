@@ -35,7 +35,7 @@ struct Options {
   bool swap = true;
 
   // Add points on edges and corners that no sample lies on. Off in the paper's method.
-  bool features = true;
+  bool sharpen = true;
 
   // Also return the interior tetrahedra.
   bool tetrahedra = false;
