@@ -41,6 +41,18 @@ const char* text(NonFinite non_finite) {
   return "unknown";
 }
 
+const char* text(Outliers outliers) {
+  switch (outliers) {
+    case Outliers::by_method:
+      return "by_method";
+    case Outliers::drop:
+      return "drop";
+    case Outliers::keep:
+      return "keep";
+  }
+  return "unknown";
+}
+
 Json to_object(const Options& o) {
   return {{"method", text(o.method)},
           {"lambda", o.lambda},
@@ -49,7 +61,8 @@ Json to_object(const Options& o) {
           {"curvature", text(o.curvature)},
           {"swap", o.swap},
           {"tetrahedra", o.tetrahedra},
-          {"non_finite", text(o.non_finite)}};
+          {"non_finite", text(o.non_finite)},
+          {"outliers", text(o.outliers)}};
 }
 
 Json to_object(const Certificate& c) {
@@ -93,6 +106,8 @@ std::string to_json(const Report& r) {
                      {"input_points", r.input_points},
                      {"non_finite_points", r.non_finite_points},
                      {"duplicate_points", r.duplicate_points},
+                     {"outliers_removed",
+                      Json{{"stray", r.stray_outliers}, {"surface", r.surface_outliers}}},
                      {"samples", r.samples},
                      {"background_points", r.background_points},
                      {"tetrahedra", r.tetrahedra},
