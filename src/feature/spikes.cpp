@@ -5,8 +5,6 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <cstdlib>
-#include <cstdio>
 
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -15,12 +13,18 @@
 namespace arris {
 namespace {
 
-double A = getenv("SA") ? atof(getenv("SA")) : 0.3;
-double B = getenv("SB") ? atof(getenv("SB")) : 4;
-double Q = getenv("SQ") ? atof(getenv("SQ")) : 0.8;
+// A spike is unexplained by this many spacings at least, by this many times what the worst of its
+// neighbours is, and by this many times what is usual in the cloud: the given quantile. Measured
+// over 8 variants of 38 clouds: 0.15, 4, 4 find a fifth more of the outliers, and lose twice the
+// samples.
+constexpr double least_height = 0.2, over_neighbours = 6, over_usual = 4, usual_quantile = 0.98;
 
-// A triangle explains nothing if its area is below this share of the squared spacing.
+// A triangle explains nothing if its area is below this share of the squared spacing: the planes of
+// slivers point anywhere.
 constexpr double smallest_area = 0.05;
+
+// A point off the surface looks at the triangles round this many points on it.
+constexpr std::size_t nearest_present = 4;
 
 // Triangles at every point, in compressed rows.
 class Umbrellas {
@@ -43,7 +47,6 @@ class Umbrellas {
   std::vector<Index> list_;
 };
 
-// Distinct entries, in order.
 void make_set(std::vector<Index>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -57,69 +60,71 @@ class Finder {
         triangles_(triangles),
         spacing_(spacing),
         umbrellas_(points.size(), triangles),
-        unexplained_(points.size(), 0) {}
-
-  std::vector<std::uint8_t> run(Job& job) {
-    prepare_absent();
-    parallel_for(points_.size(), job.threads(), [&](std::size_t p) {
-      unexplained_[p] = unexplained(static_cast<Index>(p));
-    });
-    job.tick(0.5);
-    std::vector<std::uint8_t> spike(points_.size(), 0);
-    parallel_for(points_.size(), job.threads(),
-                 [&](std::size_t p) { spike[p] = is_spike(static_cast<Index>(p)); });
-    return spike;
-  }
-  std::vector<double> un() { return unexplained_; }
-  double level(Index p) const {
-    std::vector<double> s;
-    for (Index v : company(p)) s.push_back(unexplained_[v]);
-    if (s.empty()) return 0;
-    auto m = s.begin() + (std::ptrdiff_t)((double)(s.size() - 1) * Q);
-    std::nth_element(s.begin(), m, s.end());
-    return *m;
-  }
-
- private:
-  void prepare_absent() {
+        height_(points.size(), 0) {
     for (Index p = 0; p < points_.size(); ++p)
       if (!umbrellas_[p].empty()) {
         present_.push_back(p);
         present_points_.push_back(points_[p]);
       }
-    if (!present_.empty()) tree_ = std::make_unique<NearestSample>(present_points_);
+    tree_ = std::make_unique<NearestSample>(present_points_);
   }
 
-  // The points joined to p by an edge; for a point off the surface the nearest on it.
-  std::vector<Index> ring(Index p) const {
-    std::vector<Index> ring;
+  std::vector<std::uint8_t> run(Job& job) {
+    for_all(job, [&](Index p, Surroundings& s) {
+      look_round(p, s);
+      height_[p] = height_over(p, s.facets);
+    });
+    job.tick(0.7);
+    const double least = std::max(least_height, over_usual * usual_height());
+    std::vector<std::uint8_t> spike(points_.size(), 0);
+    for_all(job, [&](Index p, Surroundings& s) {
+      if (height_[p] <= least || std::isinf(height_[p])) return;
+      look_round(p, s);
+      spike[p] = height_[p] > over_neighbours * highest_at(s.facets);
+    });
+    return spike;
+  }
+
+ private:
+  // Buffers that a thread uses again and again.
+  struct Surroundings {
+    std::vector<Index> ring;    // joined to the point; off the surface the nearest on it
+    std::vector<Index> facets;  // triangles at the ring, but not at the point
+    std::vector<NearestSample::Hit> hits;
+  };
+
+  template <class Body>
+  void for_all(Job& job, Body&& body) const {
+    constexpr std::size_t grain = 4096;
+    parallel_chunks(points_.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+      Surroundings s;
+      for (std::size_t p = begin; p < end; ++p) body(static_cast<Index>(p), s);
+    });
+  }
+
+  void look_round(Index p, Surroundings& s) const {
+    s.ring.clear();
+    s.facets.clear();
     for (Index t : umbrellas_[p])
       for (Index v : triangles_[t])
-        if (v != p) ring.push_back(v);
-    if (ring.empty() && tree_) {
-      std::vector<NearestSample::Hit> hits;
-      tree_->nearest(points_[p], 4, hits);
-      for (const auto& h : hits) ring.push_back(present_[h.index]);
+        if (v != p) s.ring.push_back(v);
+    if (s.ring.empty()) {
+      tree_->nearest(points_[p], nearest_present, s.hits);
+      for (const NearestSample::Hit& hit : s.hits) s.ring.push_back(present_[hit.index]);
     }
-    make_set(ring);
-    return ring;
-  }
-
-  // Triangles that touch the ring of p, but not p.
-  std::vector<Index> facets(Index p) const {
-    std::vector<Index> facets;
-    for (Index v : ring(p))
+    make_set(s.ring);
+    for (Index v : s.ring)
       for (Index t : umbrellas_[v])
         if (std::find(triangles_[t].begin(), triangles_[t].end(), p) == triangles_[t].end())
-          facets.push_back(t);
-    make_set(facets);
-    return facets;
+          s.facets.push_back(t);
+    make_set(s.facets);
   }
 
-  double unexplained(Index p) const {
+  // Distance of p to the nearest of the planes, in spacings; infinity if there is none.
+  double height_over(Index p, const std::vector<Index>& facets) const {
     double least = std::numeric_limits<double>::infinity();
     const double h = spacing_[p];
-    for (Index t : facets(p)) {
+    for (Index t : facets) {
       const Vec3 a = points_[triangles_[t][0]];
       const Vec3 normal = cross(points_[triangles_[t][1]] - a, points_[triangles_[t][2]] - a);
       const double twice_area = length(normal);
@@ -129,26 +134,28 @@ class Finder {
     return least;
   }
 
-  // The points of the facets of p.
-  std::vector<Index> company(Index p) const {
-    std::vector<Index> points;
-    for (Index t : facets(p))
-      for (Index v : triangles_[t]) points.push_back(v);
-    make_set(points);
-    return points;
+  double highest_at(const std::vector<Index>& facets) const {
+    double highest = 0;
+    for (Index t : facets)
+      for (Index v : triangles_[t]) highest = std::max(highest, height_[v]);
+    return highest;
   }
 
-  bool is_spike(Index p) const {
-    if (unexplained_[p] < A) return false;
-    return unexplained_[p] > B * level(p);
+  double usual_height() const {
+    std::vector<double> heights;
+    for (Index p : present_) heights.push_back(height_[p]);
+    const auto rank =
+        static_cast<std::ptrdiff_t>(usual_quantile * static_cast<double>(heights.size() - 1));
+    std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
+    return heights[static_cast<std::size_t>(rank)];
   }
 
   const std::vector<Vec3>& points_;
   const std::vector<Triangle>& triangles_;
   const std::vector<double>& spacing_;
   Umbrellas umbrellas_;
-  std::vector<double> unexplained_;
-  std::vector<Index> present_;
+  std::vector<double> height_;
+  std::vector<Index> present_;  // points on the surface
   std::vector<Vec3> present_points_;
   std::unique_ptr<NearestSample> tree_;
 };
@@ -158,14 +165,8 @@ class Finder {
 std::vector<std::uint8_t> find_spikes(const std::vector<Vec3>& points,
                                       const std::vector<Triangle>& triangles,
                                       const std::vector<double>& spacing, Job& job) {
-  Finder f(points, triangles, spacing);
-  auto r = f.run(job);
-  if (getenv("SDUMP")) {
-    auto u = f.un();
-    for (Index p = 0; p < points.size(); ++p)
-      if (u[p] > 0.15) printf("U %u %.3f %.3f %d\n", p, u[p], f.level(p), int(r[p]));
-  }
-  return r;
+  if (triangles.empty()) return std::vector<std::uint8_t>(points.size(), 0);
+  return Finder(points, triangles, spacing).run(job);
 }
 
 }  // namespace arris
