@@ -29,6 +29,9 @@ constexpr double thin = 3;
 // L-bracket and torus of 50 to 200 points at most one of the two.
 constexpr double filling_flatness = 0.3, filling_enclosed = 0.2;
 
+// With fewer points a solid fills as much of its space as a clump does: it gets the benefit.
+constexpr std::size_t smallest_clump = 40;
+
 // The free side of a point: a ball of this many reaches that touches it and holds no neighbour.
 constexpr double free_ball = 1;
 
@@ -121,7 +124,7 @@ bool is_clump(const Neighbours& near, const std::vector<Index>& group, std::size
   const Character c = character(near, group);
   const bool thinner = c.reach > thin * model.reach;
   if (thinner && group.size() < thin_count) return true;
-  return c.fills_space && (thinner || !model.fills_space);
+  return group.size() >= smallest_clump && c.fills_space && (thinner || !model.fills_space);
 }
 
 }  // namespace

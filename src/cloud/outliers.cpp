@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -26,6 +28,9 @@ constexpr double far_ratio = 4;
 // plane passes the point at less than this sine.
 constexpr double flat_enough = 0.1, in_plane_sine = 0.25;
 
+// How much the reach of a surface may grow from a stray to its neighbour.
+constexpr double growth = 1.05;
+
 // If more than this share are strays there is no surface to tell them from.
 constexpr double most_outliers = 0.5;
 
@@ -48,33 +53,60 @@ bool continues_surface(const Neighbours& near, Index p) {
   return false;
 }
 
-bool is_stray(const Neighbours& near, Index p) {
-  const double ratio = near.reach(p) / reach_of_company(near, p);
-  return ratio > sparse_ratio && (ratio > far_ratio || !continues_surface(near, p));
-}
+// Takes away the strays that have surface for company, round after round, until there are none.
+class Peeling {
+ public:
+  explicit Peeling(Neighbours& near)
+      : near_(near),
+        expected_(near.size(), std::numeric_limits<double>::infinity()),
+        stray_(near.size(), 0) {}
 
-// Every round takes the strays that have surface for company, until there are none.
-void peel(Neighbours& near, Job& job) {
-  std::vector<std::uint8_t> stray(near.size(), 0);
-  const auto fewest =
-      static_cast<std::size_t>((1 - most_outliers) * static_cast<double>(near.size()));
-  for (;;) {
-    parallel_for(near.size(), job.threads(), [&](std::size_t i) {
-      const auto p = static_cast<Index>(i);
-      stray[i] = !near.gone(p) && is_stray(near, p);
-    });
-    const auto n = static_cast<std::size_t>(std::count(stray.begin(), stray.end(), 1));
-    if (n == 0 || near.left() - n < fewest) return;
-    near.remove(stray, job);
+  void run(Job& job) {
+    const auto fewest =
+        static_cast<std::size_t>((1 - most_outliers) * static_cast<double>(near_.size()));
+    for (;;) {
+      parallel_for(near_.size(), job.threads(), [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
+        stray_[i] = !near_.gone(p) && is_stray(p);
+      });
+      const auto n = static_cast<std::size_t>(std::count(stray_.begin(), stray_.end(), 1));
+      if (n == 0 || near_.left() - n < fewest) return;
+      hand_on(job);
+      near_.remove(stray_, job);
+    }
   }
-}
+
+ private:
+  double expected(Index p) const { return std::min(reach_of_company(near_, p), expected_[p]); }
+
+  bool is_stray(Index p) const {
+    const double ratio = near_.reach(p) / expected(p);
+    return ratio > sparse_ratio && (ratio > far_ratio || !continues_surface(near_, p));
+  }
+
+  // What was expected of a stray is expected of its neighbours, whose company may be all strays.
+  void hand_on(Job& job) {
+    std::vector<double> next = expected_;
+    parallel_for(near_.size(), job.threads(), [&](std::size_t i) {
+      const auto p = static_cast<Index>(i);
+      if (near_.gone(p)) return;
+      for (Index q : near_.of(p))
+        if (stray_[q]) next[i] = std::min(next[i], growth * expected(q));
+    });
+    expected_ = std::move(next);
+  }
+
+  Neighbours& near_;
+  std::vector<double> expected_;  // reach handed on by strays, or infinity
+  std::vector<std::uint8_t> stray_;
+};
 
 }  // namespace
 
 std::vector<std::uint8_t> find_outliers(const std::vector<Vec3>& points, Job& job) {
   if (points.size() < smallest_cloud) return std::vector<std::uint8_t>(points.size(), 0);
   Neighbours near(points, job);
-  peel(near, job);
+  Peeling(near).run(job);
   std::vector<std::uint8_t> outlier = find_clumps(near);
   for (Index p = 0; p < points.size(); ++p) outlier[p] |= near.gone(p);
   return outlier;

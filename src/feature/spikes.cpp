@@ -19,6 +19,10 @@ namespace {
 // samples.
 constexpr double least_height = 0.2, over_neighbours = 6, over_usual = 4, usual_quantile = 0.98;
 
+// Without a spike the surface must go on: its neighbours lie within this many spacings of their
+// middle. The apex of a cone sampled at the rim alone is no spike.
+constexpr double widest_ring = 4;
+
 // A triangle explains nothing if its area is below this share of the squared spacing: the planes of
 // slivers point anywhere.
 constexpr double smallest_area = 0.05;
@@ -61,12 +65,12 @@ class Finder {
         spacing_(spacing),
         umbrellas_(points.size(), triangles),
         height_(points.size(), 0) {
-    for (Index p = 0; p < points_.size(); ++p)
-      if (!umbrellas_[p].empty()) {
-        present_.push_back(p);
-        present_points_.push_back(points_[p]);
-      }
-    tree_ = std::make_unique<NearestSample>(present_points_);
+    for (Index p = 0; p < points_.size(); ++p) {
+      if (!umbrellas_[p].empty()) present_.push_back(p);
+      (umbrellas_[p].empty() ? absent_points_ : present_points_).push_back(points_[p]);
+    }
+    present_tree_ = std::make_unique<NearestSample>(present_points_);
+    if (!absent_points_.empty()) absent_tree_ = std::make_unique<NearestSample>(absent_points_);
   }
 
   std::vector<std::uint8_t> run(Job& job) {
@@ -78,9 +82,9 @@ class Finder {
     const double least = std::max(least_height, over_usual * usual_height());
     std::vector<std::uint8_t> spike(points_.size(), 0);
     for_all(job, [&](Index p, Surroundings& s) {
-      if (height_[p] <= least || std::isinf(height_[p])) return;
+      if (height_[p] <= least || std::isinf(height_[p]) || !has_surface_round(p, s)) return;
       look_round(p, s);
-      spike[p] = height_[p] > over_neighbours * highest_at(s.facets);
+      spike[p] = height_[p] > over_neighbours * highest_at(s.facets) && is_narrow(p, s.ring);
     });
     return spike;
   }
@@ -109,7 +113,7 @@ class Finder {
       for (Index v : triangles_[t])
         if (v != p) s.ring.push_back(v);
     if (s.ring.empty()) {
-      tree_->nearest(points_[p], nearest_present, s.hits);
+      present_tree_->nearest(points_[p], nearest_present, s.hits);
       for (const NearestSample::Hit& hit : s.hits) s.ring.push_back(present_[hit.index]);
     }
     make_set(s.ring);
@@ -118,6 +122,22 @@ class Finder {
         if (std::find(triangles_[t].begin(), triangles_[t].end(), p) == triangles_[t].end())
           s.facets.push_back(t);
     make_set(s.facets);
+  }
+
+  // Whether the surface passes p by. If others that it leaves aside are nearer than the surface, a
+  // whole part is missing, and p may be right.
+  bool has_surface_round(Index p, Surroundings& s) const {
+    if (!umbrellas_[p].empty()) return true;
+    absent_tree_->nearest(points_[p], 2, s.hits);  // p and the nearest other
+    return s.hits.size() < 2 || s.hits[1].distance > (*present_tree_)(points_[p]).distance;
+  }
+
+  bool is_narrow(Index p, const std::vector<Index>& ring) const {
+    Vec3 middle;
+    for (Index v : ring) middle = middle + 1 / static_cast<double>(ring.size()) * points_[v];
+    return std::all_of(ring.begin(), ring.end(), [&](Index v) {
+      return distance(points_[v], middle) <= widest_ring * spacing_[p];
+    });
   }
 
   // Distance of p to the nearest of the planes, in spacings; infinity if there is none.
@@ -156,8 +176,8 @@ class Finder {
   Umbrellas umbrellas_;
   std::vector<double> height_;
   std::vector<Index> present_;  // points on the surface
-  std::vector<Vec3> present_points_;
-  std::unique_ptr<NearestSample> tree_;
+  std::vector<Vec3> present_points_, absent_points_;
+  std::unique_ptr<NearestSample> present_tree_, absent_tree_;
 };
 
 }  // namespace
