@@ -77,8 +77,9 @@ std::vector<double> shortest_edges(const Mesh& mesh) {
 // Not the cylinder: the centre of a cap that has no other samples than its rim could be anything.
 TEST(Spikes, ShapesWithTipsCornersAndEdgesHaveNone) {
   for (const Shape& shape : all_shapes())
-    if (shape.name != "cylinder")
+    if (shape.name != "cylinder") {
       EXPECT_TRUE(spikes_of(shape.mesh, shortest_edges(shape.mesh)).empty()) << shape.name;
+    }
 }
 
 // A rim, an apex and the centre of the base: nothing else says where the cone ends.
