@@ -16,6 +16,10 @@ enum class Curvature : std::uint8_t { by_method, cotangent, polyhedral };
 // What to do with points whose coordinates are NaN or infinite.
 enum class NonFinite : std::uint8_t { refuse, drop };
 
+// What to do with points that belong to no surface: strays, clumps, spikes. `by_method` drops them,
+// but for the paper's method, which uses every point.
+enum class Outliers : std::uint8_t { by_method, drop, keep };
+
 struct Options {
   Method method = Method::automatic;
 
@@ -44,6 +48,8 @@ struct Options {
   bool trim = false;
 
   NonFinite non_finite = NonFinite::refuse;
+
+  Outliers outliers = Outliers::by_method;
 };
 
 }  // namespace arris
