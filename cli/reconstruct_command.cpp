@@ -111,6 +111,10 @@ void add_method_options(CLI::App& app, Options& options) {
                  "Background points per sample (0 by default, 10 with --method paper)")
       ->check(number_in(0, 1000, "a number from 0 to 1000"));
   add_choice(app, "--curvature", curvatures, options.curvature, "How the swaps measure curvature");
+  app.add_option("--noise", options.noise,
+                 "Standard deviation of the noise, in the unit of the points; 0 leaves the points "
+                 "where they are (estimated by default, 0 with --method paper)")
+      ->check(number_in(0, 1e300, "a number from 0"));
   app.add_flag_callback(
       "--no-swap", [&options] { options.swap = false; }, "Leave the swaps out");
   app.add_flag_callback(

@@ -14,6 +14,7 @@
 #include "cut/specks.h"
 #include "cut/surface_cut.h"
 #include "forecast.h"
+#include "noise/denoise.h"
 #include "options.h"
 #include "output.h"
 #include "seed/seeds.h"
@@ -55,6 +56,15 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
+}
+
+// Moves the samples onto the surface that they were measured of.
+void remove_noise(const PointCloud& cloud, const Options& options, Samples& samples, Report& report,
+                  Job& job) {
+  job.stage("noise", 0.1);
+  (void)cloud; (void)report;
+  Denoised clean = denoise(samples.points, options.noise < 0 ? -1 : options.noise * samples.frame.scale, job);
+  samples.points = std::move(clean.points);
 }
 
 // Cut, and the manifold next to it, without specks.
@@ -141,7 +151,8 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   const Shares& shares = options.background > 0 ? paper_shares : automatic_shares;
 
   job.stage("samples", shares.samples);
-  const Samples samples = prepare_samples(cloud.positions, options.non_finite, job);
+  Samples samples = prepare_samples(cloud.positions, options.non_finite, job);
+  if (options.noise != 0) remove_noise(cloud, options, samples, report, job);
   Stage stage = seed_samples(samples, options, shares, job);
   if (options.background > 0) stage = add_background(stage, samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);

@@ -1,6 +1,7 @@
-// The nearest sample to any point, by a k-d tree (nanoflann, hidden in nearest.cpp).
+// The nearest samples to any point, by a k-d tree (nanoflann, hidden in nearest.cpp).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,8 @@ class NearestSample {
   };
   // O(log n). Safe to call from several threads.
   Hit operator()(Vec3 query) const;
+  // The k nearest (all, if there are fewer), nearest first; equally near ones by index. O(k log n).
+  void nearest(Vec3 query, std::size_t k, std::vector<Hit>& hits) const;
 
  private:
   struct Tree;
