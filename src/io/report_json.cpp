@@ -49,7 +49,8 @@ Json to_object(const Options& o) {
           {"curvature", text(o.curvature)},
           {"swap", o.swap},
           {"tetrahedra", o.tetrahedra},
-          {"non_finite", text(o.non_finite)}};
+          {"non_finite", text(o.non_finite)},
+          {"noise", o.noise}};
 }
 
 Json to_object(const Certificate& c) {
@@ -107,6 +108,9 @@ std::string to_json(const Report& r) {
                      {"swaps", r.swaps},
                      {"manifold_flips", r.manifold_flips},
                      {"specks", r.specks},
+                     {"noise_median", r.noise_median},
+                     {"noise_highest", r.noise_highest},
+                     {"moved_samples", r.moved_samples},
                      {"stages", to_array(r.stages)},
                      {"certificate", to_object(r.certificate)},
                      {"warnings", r.warnings}};

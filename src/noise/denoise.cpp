@@ -15,7 +15,12 @@ Denoised denoise(const std::vector<Vec3>& points, double level, Job& job) {
   result.level = level < 0 ? estimate_noise(points, tree, job)
                            : std::vector<double>(points.size(), level);
   result.fit_size.resize(points.size(), 0);
-  if (std::all_of(result.level.begin(), result.level.end(), [](double l) { return l == 0; })) {
+  std::vector<double> sorted = result.level;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  result.median_level = *middle;
+  result.highest_level = *std::max_element(middle, sorted.end());
+  if (result.highest_level == 0) {
     result.points = points;
     result.normals.resize(points.size());
     result.pieces.resize(points.size(), 0);

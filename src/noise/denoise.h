@@ -16,6 +16,7 @@ struct Denoised {
                                      // arbitrary; zero where not moved
   std::vector<std::uint8_t> pieces;  // 0 not moved, 1 onto a smooth piece, 2 onto an edge
   std::vector<Index> fit_size;       // samples of the patch round the point; 0 if none
+  double median_level = 0, highest_level = 0;
   std::uint64_t moved = 0;
 };
 
