@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -11,9 +10,9 @@
 namespace arris {
 namespace {
 
-constexpr std::size_t smallest_patch = 10, largest_patch = 256;
+constexpr std::size_t smallest_patch = 10, largest_patch = 400;
 constexpr double patch_growth = 1.5;  // of the number of samples
-constexpr double wanted_error = 0.01;  // of the spacing
+constexpr double wanted_error = 0.006;  // of the spacing
 
 // A patch must be wider than the noise is deep before its plane means anything.
 constexpr double least_radius = 3;  // in levels of noise
@@ -31,14 +30,8 @@ constexpr double quadric_gain = 1.5;
 
 // Residuals are compared with noise also in their means over parts of the patch: a middle and a
 // ring of sectors, where noise averages out and a bent surface shows.
-constexpr std::size_t sectors = 8, cells = sectors + 1;
+constexpr std::size_t cells = sectors + 1;
 constexpr double middle = 0.5;  // of the radius
-
-std::size_t cell_of(Vec3 local, double radius) {
-  if (local.x * local.x + local.y * local.y < middle * middle * radius * radius) return sectors;
-  const double ax = std::abs(local.x), ay = std::abs(local.y);
-  return (local.x < 0 ? 1u : 0u) + (local.y < 0 ? 2u : 0u) + (ax < ay ? 4u : 0u);
-}
 
 double limit(double freedom) {
   return freedom + tolerance * std::sqrt(2 * freedom);
@@ -51,87 +44,147 @@ bool explained(const HeightFit& fit, const std::vector<Vec3>& local, double leve
   for (Vec3 p : local) {
     const double r = p.z - fit.height(p.x, p.y);
     squares += r * r;
-    const std::size_t cell = cell_of(p, fit.radius);
+    const bool inner = p.x * p.x + p.y * p.y < middle * middle * fit.radius * fit.radius;
+    const std::size_t cell = inner ? sectors : sector_of(p);
     sum[cell] += r;
     count[cell] += 1;
   }
   const double variance = level_slack * level_slack * level * level;
   const double n = static_cast<double>(local.size());
   if (squares > variance * limit(n - fit.terms)) return false;
-  double means = 0;
+  double means = 0, used = 0;
   for (std::size_t j = 0; j < cells; ++j)
-    if (count[j] > 0) means += sum[j] * sum[j] / count[j];
-  return means <= variance * limit(static_cast<double>(cells) - fit.terms);
+    if (count[j] > 0) {
+      means += sum[j] * sum[j] / count[j];
+      used += 1;
+    }
+  return used <= fit.terms || means <= variance * limit(used - fit.terms);
 }
 
-// The patch in growth at one sample.
+// A sector ends where its next ring does not fit as a whole: short of the edge by part of a ring.
+constexpr double stretch = 1.5;
+
+// A patch of one model, plane or quadric, in growth.
 class Growth {
  public:
-  Growth(const std::vector<Vec3>& points, Vec3 centre, double level)
-      : points_(points), centre_(centre), level_(level) {}
+  Growth(const std::vector<Vec3>& around, const Frame& frame, double level, int terms)
+      : around_(around), frame_(frame), level_(level), terms_(terms) {}
 
-  PatchFit grow(const std::vector<NearestSample::Hit>& hits) {
-    for (std::size_t n = std::min(smallest_patch, hits.size());;) {
-      if (hits[n - 1].distance >= least_radius * level_ && !step(hits, n)) break;
-      if (n == hits.size()) break;
-      n = std::min(hits.size(),
-                   static_cast<std::size_t>(patch_growth * static_cast<double>(n)));
+  // `around`: the samples nearest first; `start` of them are the smallest patch.
+  PatchFit grow(std::size_t start) {
+    taken_.assign(around_.begin(), around_.begin() + static_cast<std::ptrdiff_t>(start));
+    double radius = length(around_[start - 1]);
+    if (!refit(radius)) return {};
+    best_.reach.fill(radius);
+    std::array<bool, sectors> open;
+    open.fill(true);
+    for (std::size_t from = start; from < around_.size();) {
+      const std::size_t to =
+          std::min(around_.size(),
+                   static_cast<std::size_t>(patch_growth * static_cast<double>(from)) + 1);
+      const double wider = length(around_[to - 1]);
+      const std::vector<Vec3> before = taken_;
+      const bool grown = extend(from, to, wider, open);
+      if (!grown || !refit(wider)) {
+        taken_ = before;
+        break;
+      }
+      for (std::size_t j = 0; j < sectors; ++j)
+        if (open[j]) best_.reach[j] = wider;
+      from = to;
     }
-    const double gain = quadric_gain * plane_.count;
-    return quadric_.count > gain ? quadric_ : plane_;
+    return best_;
   }
 
  private:
-  // Tries the patch of n samples; false if nothing smooth fits it.
-  bool step(const std::vector<NearestSample::Hit>& hits, std::size_t n) {
-    gather(hits, n);
-    const double radius = hits[n - 1].distance;
-    if (plane_alive_) plane_alive_ = attempt(plane_terms, radius, plane_);
-    if (quadric_alive_ && local_.size() >= smallest_patch)
-      quadric_alive_ = attempt(quadric_terms, radius, quadric_);
-    return plane_alive_ || quadric_alive_;
-  }
-
-  bool attempt(int terms, double radius, PatchFit& best) {
-    HeightFit fit = fit_heights(frame_, local_, radius, terms);
-    if (fit.terms == 0 || !explained(fit, local_, level_)) return false;
-    normal_ = fit.offset(centre_).normal;
-    best = {std::move(fit), static_cast<Index>(local_.size())};
+  // Fits the samples taken; false, and best_ as it was, if they are not one smooth piece.
+  bool refit(double radius) {
+    HeightFit fit = fit_heights(frame_, taken_, radius, terms_);
+    if (fit.terms == 0 || !explained(fit, taken_, level_)) return false;
+    best_.fit = fit;
+    best_.count = static_cast<Index>(taken_.size());
     return true;
   }
 
-  void gather(const std::vector<NearestSample::Hit>& hits, std::size_t n) {
-    local_.clear();
-    if (!normal_) {
-      for (std::size_t i = 0; i < n; ++i) local_.push_back(points_[hits[i].index]);
-      normal_ = least_variance_direction(local_);
-      local_.clear();
+  // Takes the samples of the ring in the sectors that continue the fit; closes the others. False
+  // if all are closed.
+  bool extend(std::size_t from, std::size_t to, double radius, std::array<bool, sectors>& open) {
+    std::array<double, sectors> sum{}, squares{}, variance{}, count{};
+    const double gate = std::max(other_sheet * radius, least_other_sheet * level_);
+    const auto each = [&](auto&& visit) {
+      for (std::size_t i = from; i < to; ++i) {
+        const Vec3 p = around_[i];
+        const std::size_t j = sector_of(p);
+        const double r = p.z - best_.fit.height(p.x, p.y);
+        if (open[j] && std::abs(r) <= gate) visit(p, j, r);
+      }
+    };
+    each([&](Vec3 p, std::size_t j, double r) {
+      const double v = best_.fit.variance(p.x, p.y);
+      sum[j] += r;
+      squares[j] += r * r / (1 + v);
+      variance[j] += v;
+      count[j] += 1;
+    });
+    const double noise = level_slack * level_slack * level_ * level_;
+    bool any = false;
+    for (std::size_t j = 0; j < sectors; ++j) {
+      const double n = count[j];
+      // The errors of the fit at the samples of a sector are all but the same.
+      const bool continues =
+          n > 0 && squares[j] <= noise * limit(n) &&
+          sum[j] * sum[j] <= tolerance * tolerance * noise * (n + n * variance[j]);
+      open[j] = open[j] && (continues || (n == 0 && sparse_ring(to - from)));
+      any = any || (open[j] && n > 0);
     }
-    frame_ = frame_at(centre_, *normal_);
-    const double gate = std::max(other_sheet * hits[n - 1].distance, least_other_sheet * level_);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3 p = frame_.to_frame(points_[hits[i].index]);
-      if (std::abs(p.z) <= gate) local_.push_back(p);
-    }
+    each([&](Vec3 p, std::size_t, double) { taken_.push_back(p); });
+    return any;
   }
 
-  const std::vector<Vec3>& points_;
-  Vec3 centre_;
-  double level_;
-  std::optional<Vec3> normal_;
+  // A sector of so small a ring may be empty by chance.
+  static bool sparse_ring(std::size_t samples) { return samples < 3 * sectors; }
+
+  const std::vector<Vec3>& around_;
   Frame frame_;
-  std::vector<Vec3> local_;
-  PatchFit plane_, quadric_;
-  bool plane_alive_ = true, quadric_alive_ = true;
+  double level_;
+  int terms_;
+  std::vector<Vec3> taken_;
+  PatchFit best_;
 };
+
+// The samples near enough to tell the normal at the first of them from: ten, or as many as it takes
+// to be wider than the noise.
+std::size_t starting_size(const std::vector<NearestSample::Hit>& hits, double level) {
+  std::size_t n = std::min(smallest_patch, hits.size());
+  while (n < hits.size() && hits[n - 1].distance < least_radius * level) ++n;
+  return n;
+}
+
+PatchFit fit_patch(const std::vector<Vec3>& points, Vec3 centre, double level,
+                   const std::vector<NearestSample::Hit>& hits) {
+  const std::size_t start = starting_size(hits, level);
+  if (start < smallest_patch) return {};
+  std::vector<Vec3> around;
+  for (const auto& h : hits) around.push_back(points[h.index]);
+  const std::vector<Vec3> nearest(around.begin(),
+                                  around.begin() + static_cast<std::ptrdiff_t>(start));
+  const Frame frame = frame_at(centre, least_variance_direction(nearest));
+  for (Vec3& p : around) p = frame.to_frame(p);
+  const PatchFit plane = Growth(around, frame, level, plane_terms).grow(start);
+  const PatchFit quadric = Growth(around, frame, level, quadric_terms).grow(start);
+  return quadric.count > quadric_gain * plane.count ? quadric : plane;
+}
 
 }  // namespace
 
-double PatchFit::variance(double reach) const noexcept {
-  const double q = reach * reach, n = count;
-  const double plane = 1 + 4 * q;
-  if (fit.terms == plane_terms) return plane / n;
-  return (plane + 3 * (2 * q - 1) * (2 * q - 1) + 6 * q * q) / n;
+std::size_t sector_of(Vec3 local) noexcept {
+  const bool steep = std::abs(local.x) < std::abs(local.y);
+  return (local.x < 0 ? 1u : 0u) + (local.y < 0 ? 2u : 0u) + (steep ? 4u : 0u);
+}
+
+bool PatchFit::covers(Vec3 local) const noexcept {
+  const double reached = stretch * reach[sector_of(local)];
+  return squared_length(local) <= reached * reached;
 }
 
 std::size_t patch_limit(double level, double spacing) noexcept {
@@ -150,7 +203,7 @@ std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const Nearest
       tree.nearest(points[i], 7, hits);
       const double spacing = hits.back().distance / 1.2;
       tree.nearest(points[i], patch_limit(level[i], spacing), hits);
-      fits[i] = Growth(points, points[i], level[i]).grow(hits);
+      fits[i] = fit_patch(points, points[i], level[i], hits);
     }
   });
   return fits;

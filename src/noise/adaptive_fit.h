@@ -1,12 +1,14 @@
 // The largest patch round every sample that one smooth piece of surface explains.
 //
-// The patch grows from the nearest ten samples by half its size at a time while a plane or a
-// quadric fits it up to noise of the known level: Lepski's choice of a scale (1991), as Katkovnik
-// et al. use it for images (From local kernel to nonlocal multiple-model image denoising, 2010).
-// The patch stops short of a feature since no smooth piece fits across it; samples next to a
-// feature are served by the patches of their neighbours on the same side (project.h).
+// The patch grows from the nearest ten samples, by half its size at a time, while a plane or a
+// quadric fits it up to noise of the known level: Lepski's choice of a scale (1991). It does so in
+// each of eight sectors by itself, so that it fills a face up to its edges: the star-shaped
+// neighbourhoods of Katkovnik, Foi, Egiazarian, Astola (From local kernel to nonlocal
+// multiple-model image denoising, 2010). Samples next to a feature, where even the smallest patch
+// is not smooth, are served by the patches of their neighbours on the same side (project.h).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "arris/types.h"
@@ -16,13 +18,17 @@
 
 namespace arris {
 
+inline constexpr std::size_t sectors = 8;
+
+// The sector of the patch, round its normal, that a point in its frame lies in.
+std::size_t sector_of(Vec3 local) noexcept;
+
 struct PatchFit {
   HeightFit fit;    // terms = 0: nothing smooth fits even the smallest patch
   Index count = 0;  // samples it was fitted to
+  std::array<double, sectors> reach{};  // how far it extends in each sector
 
-  // The variance of the fitted height at tangential distance `reach` radii from the middle, in
-  // units of the variance of the noise: that of Zernike's polynomials on a full disc.
-  double variance(double reach) const noexcept;
+  bool covers(Vec3 local) const noexcept;  // a point in the frame of the fit
 };
 
 // One fit per point whose level is positive; the others have none. Complexity: O(n log n); at most

@@ -102,6 +102,18 @@ double HeightFit::height(double x, double y) const noexcept {
   return c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
 }
 
+double HeightFit::variance(double x, double y) const noexcept {
+  std::array<double, 6> t{};
+  fill_terms(x / radius, y / radius, t);
+  double sum = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(terms); ++i) {
+    for (std::size_t k = 0; k < i; ++k) t[i] -= factor[i][k] * t[k];
+    t[i] /= factor[i][i];
+    sum += t[i] * t[i];
+  }
+  return sum;
+}
+
 HeightFit::Offset HeightFit::offset(Vec3 p) const noexcept {
   const Vec3 q = frame.to_frame(p);
   const double x = q.x / radius, y = q.y / radius;
@@ -114,7 +126,7 @@ HeightFit::Offset HeightFit::offset(Vec3 p) const noexcept {
 
 HeightFit fit_heights(const Frame& frame, const std::vector<Vec3>& local, double radius,
                       int terms) {
-  HeightFit fit{frame, radius, {}, 0};
+  HeightFit fit{frame, radius, {}, 0, {}};
   if (local.size() < static_cast<std::size_t>(terms)) return fit;
   std::array<std::array<double, 6>, 6> a{};
   std::array<double, 6> b{}, t{};
@@ -129,6 +141,7 @@ HeightFit fit_heights(const Frame& frame, const std::vector<Vec3>& local, double
   if (!solve(a, b, terms, smallest_pivot * static_cast<double>(local.size()))) return fit;
   for (std::size_t i = 0; i < n; ++i) fit.c[i] = b[i];
   fit.terms = terms;
+  fit.factor = a;
   return fit;
 }
 

@@ -34,8 +34,11 @@ struct HeightFit {
   double radius = 1;
   std::array<double, 6> c{};
   int terms = 0;
+  std::array<std::array<double, 6>, 6> factor{};  // Cholesky factor of the normal equations
 
   double height(double x, double y) const noexcept;  // unscaled x, y
+  // Variance of that height, in units of the variance of one sample.
+  double variance(double x, double y) const noexcept;
 
   // The signed distance of a point to the surface along the surface normal below it (first order),
   // and that unit normal.

@@ -19,6 +19,11 @@ const double same_piece = std::cos(20 * 3.14159265358979 / 180);
 // A further piece counts if its best patch has this share of the weight of the best of all.
 constexpr double least_weight = 0.1;
 
+// A bevel: its normal lies within so much (a sine) of the plane of the two others, and its best
+// patch has less than this share of their weight.
+constexpr double bevel_tilt = 0.34, bevel_weight = 0.6;
+constexpr std::size_t most_pieces = 5;
+
 constexpr std::size_t most_candidates = 64;
 
 // The surface at the sample as one patch sees it.
@@ -33,6 +38,7 @@ struct Candidate {
 struct Piece {
   double distance;
   Vec3 normal;
+  double weight;  // of its best candidate
   Vec3 middle;
 };
 
@@ -43,9 +49,11 @@ void find_candidates(const std::vector<Vec3>& points, Index at, double level,
   const std::size_t stride = std::max<std::size_t>(1, hits.size() / most_candidates);
   for (std::size_t i = 0; i < hits.size(); i += stride) {
     const PatchFit& patch = fits[hits[i].index];
-    if (patch.fit.terms == 0 || hits[i].distance > patch.fit.radius) continue;
+    if (patch.fit.terms == 0) continue;
+    const Vec3 local = patch.fit.frame.to_frame(points[at]);
+    if (!patch.covers(local)) continue;
     const HeightFit::Offset offset = patch.fit.offset(points[at]);
-    const double variance = patch.variance(hits[i].distance / patch.fit.radius);
+    const double variance = patch.fit.variance(local.x, local.y);
     if (std::abs(offset.distance) > gate * level * std::sqrt(1 + variance)) continue;
     found.push_back({offset.distance, offset.normal, 1 / variance, patch.fit.frame.origin});
   }
@@ -69,6 +77,7 @@ Piece take_piece(std::vector<Candidate>& candidates) {
     piece.normal = piece.normal + sign * c.weight * c.normal;
     piece.middle = piece.middle + c.weight * c.middle;
   }
+  piece.weight = best.weight;
   piece.distance /= weight;
   piece.normal = 1 / length(piece.normal) * piece.normal;
   piece.middle = 1 / weight * piece.middle;
@@ -76,13 +85,30 @@ Piece take_piece(std::vector<Candidate>& candidates) {
   return piece;
 }
 
+// A small patch astride an edge bevels it: is the third of these pieces such a one, parallel to the
+// edge of the other two and much less certain?
+bool is_bevel(const Piece& a, const Piece& b, const Piece& third) {
+  const Vec3 edge = cross(a.normal, b.normal);
+  return std::abs(dot(third.normal, edge)) < bevel_tilt * length(edge) &&
+         third.weight < bevel_weight * std::min(a.weight, b.weight);
+}
+
 std::vector<Piece> find_pieces(std::vector<Candidate>& candidates) {
   std::vector<Piece> pieces;
   double best = 0;
   for (const Candidate& c : candidates) best = std::max(best, c.weight);
   std::erase_if(candidates, [&](const Candidate& c) { return c.weight < least_weight * best; });
-  while (!candidates.empty() && pieces.size() < 3) pieces.push_back(take_piece(candidates));
-  return pieces;
+  while (!candidates.empty() && pieces.size() < most_pieces)
+    pieces.push_back(take_piece(candidates));
+  // Heaviest first, so what bevels is judged after what it bevels.
+  std::vector<Piece> kept;
+  for (const Piece& piece : pieces) {
+    bool bevel = false;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) bevel = bevel || is_bevel(kept[i], kept[j], piece);
+    if (!bevel && kept.size() < 3) kept.push_back(piece);
+  }
+  return kept;
 }
 
 // Where the planes of the first `count` pieces meet, nearest to p: offsets from p.
