@@ -40,8 +40,7 @@ Mesh output_mesh(const PointCloud& cloud, const Samples& samples, const TetMesh&
   out.attributes = pick_attributes(cloud, out.source);
   bool only_given = true;
   for (std::size_t v = 0; v < out.vertices.size() && only_given; ++v)
-    only_given =
-        out.source[v] != no_index && out.vertices[v] == cloud.positions[out.source[v]];
+    only_given = out.source[v] != no_index && out.vertices[v] == cloud.positions[out.source[v]];
   out.position_type = only_given ? cloud.position_type : ScalarType::f64;
   return out;
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t smallest_patch = 10, largest_patch = 400;
 constexpr double patch_growth = 1.5;  // of the number of samples
+// The distance to the sixth sample, itself counted, is about one spacing.
+constexpr std::size_t spacing_rank = 6;
 constexpr double wanted_error = 0.006;  // of the spacing
 
 // A patch must be wider than the noise is deep before its plane means anything.
@@ -79,9 +81,8 @@ class Growth {
     std::array<bool, sectors> open;
     open.fill(true);
     for (std::size_t from = start; from < around_.size();) {
-      const std::size_t to =
-          std::min(around_.size(),
-                   static_cast<std::size_t>(patch_growth * static_cast<double>(from)) + 1);
+      const std::size_t to = std::min(
+          around_.size(), static_cast<std::size_t>(patch_growth * static_cast<double>(from)) + 1);
       const double wider = length(around_[to - 1]);
       const std::vector<Vec3> before = taken_;
       const bool grown = extend(from, to, wider, open);
@@ -152,6 +153,13 @@ class Growth {
   PatchFit best_;
 };
 
+// Samples to gather round a point: enough that their mean is wanted_error exact, within bounds.
+std::size_t patch_limit(double level, double spacing) {
+  const double needed = level / (wanted_error * spacing);
+  return static_cast<std::size_t>(
+      std::clamp(needed * needed, 4.0 * smallest_patch, static_cast<double>(largest_patch)));
+}
+
 // The samples near enough to tell the normal at the first of them from: ten, or as many as it takes
 // to be wider than the noise.
 std::size_t starting_size(const std::vector<NearestSample::Hit>& hits, double level) {
@@ -187,23 +195,17 @@ bool PatchFit::covers(Vec3 local) const noexcept {
   return squared_length(local) <= reached * reached;
 }
 
-std::size_t patch_limit(double level, double spacing) noexcept {
-  const double needed = level / (wanted_error * spacing);
-  return static_cast<std::size_t>(std::clamp(needed * needed, 4.0 * smallest_patch,
-                                             static_cast<double>(largest_patch)));
-}
-
 std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const NearestSample& tree,
                                   const std::vector<double>& level, Job& job) {
-  std::vector<PatchFit> fits(points.size());
-  parallel_chunks(points.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+  std::vector<PatchFit> fits((points.size() + patch_stride - 1) / patch_stride);
+  parallel_chunks(fits.size(), 128, job.threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<NearestSample::Hit> hits;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = k * patch_stride;
       if (!(level[i] > 0)) continue;
-      tree.nearest(points[i], 7, hits);
-      const double spacing = hits.back().distance / 1.2;
-      tree.nearest(points[i], patch_limit(level[i], spacing), hits);
-      fits[i] = fit_patch(points, points[i], level[i], hits);
+      tree.nearest(points[i], spacing_rank, hits);
+      tree.nearest(points[i], patch_limit(level[i], hits.back().distance), hits);
+      fits[k] = fit_patch(points, points[i], level[i], hits);
     }
   });
   return fits;

@@ -24,20 +24,20 @@ inline constexpr std::size_t sectors = 8;
 std::size_t sector_of(Vec3 local) noexcept;
 
 struct PatchFit {
-  HeightFit fit;    // terms = 0: nothing smooth fits even the smallest patch
-  Index count = 0;  // samples it was fitted to
+  HeightFit fit;                        // terms = 0: nothing smooth fits even the smallest patch
+  Index count = 0;                      // samples it was fitted to
   std::array<double, sectors> reach{};  // how far it extends in each sector
 
   bool covers(Vec3 local) const noexcept;  // a point in the frame of the fit
 };
 
-// One fit per point whose level is positive; the others have none. Complexity: O(n log n); at most
-// a few hundred samples a patch.
+// A patch stands at every so manyth point (they are in order along a curve); patches overlap, so
+// more say little more.
+inline constexpr std::size_t patch_stride = 3;
+
+// The fits at every patch_stride-th point, from the first, whose level is positive; the others have
+// none. Complexity: O(n log n); at most a few hundred samples a patch.
 std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const NearestSample& tree,
                                   const std::vector<double>& level, Job& job);
-
-// Samples to gather round a point for a patch: enough that their mean is a hundredth of the
-// spacing exact, within bounds.
-std::size_t patch_limit(double level, double spacing) noexcept;
 
 }  // namespace arris

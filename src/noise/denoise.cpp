@@ -12,8 +12,8 @@ namespace arris {
 Denoised denoise(const std::vector<Vec3>& points, double level, Job& job) {
   Denoised result;
   const NearestSample tree(points);
-  result.level = level < 0 ? estimate_noise(points, tree, job)
-                           : std::vector<double>(points.size(), level);
+  result.level =
+      level < 0 ? estimate_noise(points, tree, job) : std::vector<double>(points.size(), level);
   result.fit_size.resize(points.size(), 0);
   std::vector<double> sorted = result.level;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -28,9 +28,9 @@ Denoised denoise(const std::vector<Vec3>& points, double level, Job& job) {
   }
   job.tick(0.3);
   const std::vector<PatchFit> fits = fit_patches(points, tree, result.level, job);
-  for (std::size_t i = 0; i < fits.size(); ++i) result.fit_size[i] = fits[i].count;
+  for (std::size_t i = 0; i < fits.size(); ++i) result.fit_size[i * patch_stride] = fits[i].count;
   job.tick(0.7);
-  Projection projection = project_samples(points, tree, result.level, fits, job);
+  Projection projection = project_samples(points, result.level, fits, job);
   result.points = std::move(projection.points);
   result.normals = std::move(projection.normals);
   result.pieces = std::move(projection.pieces);

@@ -49,7 +49,9 @@ Vec3 Frame::to_frame(Vec3 p) const noexcept {
 
 Frame frame_at(Vec3 origin, Vec3 normal) {
   const double ax = std::abs(normal.x), ay = std::abs(normal.y), az = std::abs(normal.z);
-  const Vec3 least = ax <= ay && ax <= az ? Vec3{1, 0, 0} : ay <= az ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 least = ax <= ay && ax <= az ? Vec3{1, 0, 0}
+                     : ay <= az           ? Vec3{0, 1, 0}
+                                          : Vec3{0, 0, 1};
   Vec3 x = cross(normal, least);
   x = 1 / length(x) * x;
   return {origin, x, cross(normal, x), normal};
@@ -120,8 +122,7 @@ HeightFit::Offset HeightFit::offset(Vec3 p) const noexcept {
   const double fx = (c[1] + 2 * c[3] * x + c[4] * y) / radius;
   const double fy = (c[2] + c[4] * x + 2 * c[5] * y) / radius;
   const double stretch = 1 / std::sqrt(1 + fx * fx + fy * fy);
-  return {(q.z - height(q.x, q.y)) * stretch,
-          stretch * (frame.z - fx * frame.x - fy * frame.y)};
+  return {(q.z - height(q.x, q.y)) * stretch, stretch * (frame.z - fx * frame.x - fy * frame.y)};
 }
 
 HeightFit fit_heights(const Frame& frame, const std::vector<Vec3>& local, double radius,

@@ -30,10 +30,15 @@ constexpr std::size_t pooled_sites = 32;
 constexpr double noise_growth = 1.2;
 constexpr double curvature_growth = 8;  // of the variance: the square of 2.8
 
-// Noise leaves the deviation as it is also in the smallest neighbourhood of all, from a plane; there
-// facets and steps of the surface itself show less (they are flat) and curvature shows more.
+// Noise leaves the deviation as it is also in the smallest neighbourhood of all, from a plane;
+// there facets and steps of the surface itself show less (they are flat) and curvature shows more.
 constexpr std::size_t plane_size = 6;
 constexpr double least_plane_share = 0.6, most_plane_share = 1.35;
+
+// Six samples with noise are never flat: less than this share of the usual deviation has a chance
+// of a hundred thousandth. Two such places of 32 are proof of an edged surface without noise.
+constexpr double flat_share = 0.02;
+constexpr std::ptrdiff_t fewest_flat = 2;
 
 // Residuals of two sheets taken for one have two humps: a kurtosis below 2, where noise has 3.
 constexpr double least_kurtosis = 2.2;
@@ -48,7 +53,8 @@ constexpr double least_noise = 0.004;
 // 0.13, 0.42 and 0.45 (facets as wide as the spacing; a scanned rocker arm).
 constexpr double least_by_all = 0.25, least_by_quadrics = 0.6, least_by_plane = 0.6;
 
-// A place without a clear level of its own takes that of the 32 nearest if so many of them have one.
+// A place without a clear level of its own takes that of the 32 nearest if so many of them have
+// one.
 constexpr double least_near = 0.3;
 
 // The level of a sample is the median of those of the nearest places.
@@ -62,6 +68,7 @@ struct Curve {
   std::array<double, sizes.size()> deviation{};
   std::array<double, sizes.size()> radius{};
   double plane = 0;       // deviation of the nearest few from a plane
+  bool flat = false;      // pooled: some of the places nearby are exactly flat
   std::size_t known = 0;  // sizes measured
 };
 
@@ -106,8 +113,8 @@ void measure(const std::vector<Vec3>& points, Vec3 centre,
     return;
   }
   patch.resize(plane_size);
-  curve.plane =
-      pooled_deviation(fit_heights(frame, patch, hits[plane_size - 1].distance, plane_terms), patch);
+  curve.plane = pooled_deviation(
+      fit_heights(frame, patch, hits[plane_size - 1].distance, plane_terms), patch);
 }
 
 Curve measure_curve(const std::vector<Vec3>& points, const NearestSample& tree, Vec3 centre) {
@@ -116,7 +123,8 @@ Curve measure_curve(const std::vector<Vec3>& points, const NearestSample& tree, 
   for (std::size_t level = 0; level < sizes.size(); ++level) {
     if (points.size() < 2 * sizes[level]) break;
     if (level > 1 && curve.deviation[level - 2] * flatness < curve.radius[level - 2]) break;
-    if (hits.size() < sizes[level]) tree.nearest(centre, sizes[std::max<std::size_t>(level, 1)], hits);
+    if (hits.size() < sizes[level])
+      tree.nearest(centre, sizes[std::max<std::size_t>(level, 1)], hits);
     if (hits.size() < sizes[level]) break;
     measure(points, centre, hits, level, curve);
   }
@@ -124,8 +132,8 @@ Curve measure_curve(const std::vector<Vec3>& points, const NearestSample& tree, 
 }
 
 double quantile(std::vector<double>& values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(
-                                       pooled_quantile * static_cast<double>(values.size()));
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(pooled_quantile * static_cast<double>(values.size()));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -141,6 +149,7 @@ struct Verdict {
 Verdict judge(const Curve& c) {
   Verdict v;
   if (c.known == 0) return v;
+  if (c.flat && c.deviation[0] >= least_noise * c.radius[0]) return v;
   const double share = c.plane / c.deviation[0];
   v.by_plane = c.deviation[0] >= least_noise * c.radius[0] && share > least_plane_share &&
                share < most_plane_share;
@@ -170,6 +179,9 @@ Curve pool(const std::vector<Curve>& curves, const std::vector<NearestSample::Hi
   for (const auto& h : hits)
     if (curves[h.index].known > 0) planes.push_back(curves[h.index].plane);
   if (!planes.empty()) pooled.plane = quantile(planes);
+  const auto flat = std::count_if(planes.begin(), planes.end(),
+                                  [&](double d) { return d < flat_share * pooled.plane; });
+  pooled.flat = flat >= fewest_flat;
   for (std::size_t j = 0; j < sizes.size(); ++j) {
     deviations.clear();
     radii.clear();
@@ -201,7 +213,8 @@ bool is_noisy(const std::vector<Verdict>& verdicts) {
     plane += v.by_plane ? 1 : 0;
   }
   const double n = static_cast<double>(verdicts.size());
-  return all >= least_by_all * n || quadrics >= least_by_quadrics * n || plane >= least_by_plane * n;
+  return all >= least_by_all * n || quadrics >= least_by_quadrics * n ||
+         plane >= least_by_plane * n;
 }
 
 // The level at a site whose own curve is not that of noise alone: that of the places nearby.
@@ -247,8 +260,7 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
     levels.push_back(v.level);
     if (v.level != unknown) accepted.push_back(v.level);
   }
-  const double usual =
-      accepted.empty() ? infinity : median(accepted);
+  const double usual = accepted.empty() ? infinity : median(accepted);
   std::vector<double> filled = levels;
   parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<NearestSample::Hit> hits;

@@ -5,7 +5,8 @@
 // misses grows with it: at least linearly (an edge), with the third power where the surface is
 // smooth. Two sizes therefore tell one from the other. The idea is that of difference estimators of
 // a variance (Gasser, Sroka, Jennen-Steinmetz, Residual variance and residual pattern in nonlinear
-// regression, 1986), here with quadrics and pooled by a quantile, so that edges nearby do not count.
+// regression, 1986), here with quadrics and pooled by a quantile, so that edges nearby do not
+// count.
 #pragma once
 
 #include <vector>

@@ -46,9 +46,8 @@ void find_candidates(const std::vector<Vec3>& points, Index at, double level,
                      const std::vector<PatchFit>& fits, const std::vector<NearestSample::Hit>& hits,
                      std::vector<Candidate>& found) {
   found.clear();
-  const std::size_t stride = std::max<std::size_t>(1, hits.size() / most_candidates);
-  for (std::size_t i = 0; i < hits.size(); i += stride) {
-    const PatchFit& patch = fits[hits[i].index];
+  for (const auto& hit : hits) {
+    const PatchFit& patch = fits[hit.index];
     if (patch.fit.terms == 0) continue;
     const Vec3 local = patch.fit.frame.to_frame(points[at]);
     if (!patch.covers(local)) continue;
@@ -61,9 +60,9 @@ void find_candidates(const std::vector<Vec3>& points, Index at, double level,
 
 // Takes the best candidate and all that are oriented like it out of the list.
 Piece take_piece(std::vector<Candidate>& candidates) {
-  const Candidate best = *std::max_element(
-      candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.weight < b.weight; });
+  const Candidate best =
+      *std::max_element(candidates.begin(), candidates.end(),
+                        [](const Candidate& a, const Candidate& b) { return a.weight < b.weight; });
   Piece piece{};
   double weight = 0;
   const auto joins = [&](const Candidate& c) {
@@ -155,18 +154,19 @@ Landing land(std::vector<Piece> pieces, Vec3 p) {
 
 }  // namespace
 
-Projection project_samples(const std::vector<Vec3>& points, const NearestSample& tree,
-                           const std::vector<double>& level, const std::vector<PatchFit>& fits,
-                           Job& job) {
+Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
+                           const std::vector<PatchFit>& fits, Job& job) {
   Projection result{points, std::vector<Vec3>(points.size()),
                     std::vector<std::uint8_t>(points.size(), 0)};
+  std::vector<Vec3> middles;
+  for (std::size_t i = 0; i < points.size(); i += patch_stride) middles.push_back(points[i]);
+  const NearestSample tree(middles);
   parallel_chunks(points.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<NearestSample::Hit> hits;
     std::vector<Candidate> candidates;
     for (std::size_t i = begin; i < end; ++i) {
       if (!(level[i] > 0)) continue;
-      tree.nearest(points[i], 7, hits);
-      tree.nearest(points[i], patch_limit(level[i], hits.back().distance / 1.2), hits);
+      tree.nearest(points[i], most_candidates, hits);
       find_candidates(points, static_cast<Index>(i), level[i], fits, hits, candidates);
       if (candidates.empty()) continue;
       const Landing landing = land(find_pieces(candidates), points[i]);
