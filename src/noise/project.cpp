@@ -13,6 +13,10 @@ namespace {
 // A sample fits a patch if it lies within this many deviations of it.
 constexpr double gate = 3;
 
+// Two planes that fit within the gate meet within this many deviations unless they are nearly
+// parallel.
+constexpr double farthest_move = 5;
+
 // Patches whose normals differ by less are one piece of surface.
 const double same_piece = std::cos(20 * 3.14159265358979 / 180);
 
@@ -141,7 +145,7 @@ struct Landing {
   std::uint8_t pieces = 0;
 };
 
-Landing land(std::vector<Piece> pieces, Vec3 p) {
+Landing land(std::vector<Piece> pieces, Vec3 p, double level) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return std::abs(a.distance) < std::abs(b.distance);
   });
@@ -149,7 +153,9 @@ Landing land(std::vector<Piece> pieces, Vec3 p) {
     const Vec3 foot = p - pieces[i].distance * pieces[i].normal;
     if (reaches(pieces, i, p, foot)) return {foot, pieces[i].normal, 1};
   }
-  return {meet(pieces, 2, p), pieces[0].normal, 2};
+  const Vec3 edge = meet(pieces, 2, p);
+  if (distance(edge, p) <= farthest_move * level) return {edge, pieces[0].normal, 2};
+  return {p - pieces[0].distance * pieces[0].normal, pieces[0].normal, 1};
 }
 
 }  // namespace
@@ -169,7 +175,7 @@ Projection project_samples(const std::vector<Vec3>& points, const std::vector<do
       tree.nearest(points[i], most_candidates, hits);
       find_candidates(points, static_cast<Index>(i), level[i], fits, hits, candidates);
       if (candidates.empty()) continue;
-      const Landing landing = land(find_pieces(candidates), points[i]);
+      const Landing landing = land(find_pieces(candidates), points[i], level[i]);
       result.points[i] = landing.point;
       result.normals[i] = landing.normal;
       result.pieces[i] = landing.pieces;

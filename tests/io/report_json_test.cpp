@@ -57,12 +57,15 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "swaps",
                                                   "manifold_flips",
                                                   "specks",
+                                                  "noise_median",
+                                                  "noise_highest",
+                                                  "moved_samples",
                                                   "stages",
                                                   "certificate",
                                                   "warnings"}));
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
-                                      "swap", "tetrahedra", "non_finite"}));
+                                      "swap", "tetrahedra", "non_finite", "noise"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
                                                                  "closed",
                                                                  "manifold",
