@@ -15,7 +15,6 @@ namespace {
 // Sizes of the neighbourhoods. The smallest leaves a quadric six degrees of freedom; the larger
 // ones serve where the noise exceeds the spacing and a small neighbourhood is not flat.
 constexpr std::array<std::size_t, 6> sizes = {12, 24, 48, 96, 192, 384};
-constexpr std::size_t most = sizes.back();
 
 // A neighbourhood shows the surface, not only the noise, if it is this many times wider than deep.
 constexpr double flatness = 4;
