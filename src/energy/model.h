@@ -23,8 +23,8 @@ struct Sides {
 struct EnergyModel {
   double lambda = 0.1;                          // in units of h^2
   Curvature curvature = Curvature::polyhedral;  // never by_method here
-  std::vector<double> spacing;                  // h > 0 at every point of the TetMesh
-  Sides sides;                                  // empty before features are sensed
+  std::vector<double> spacing = {};             // h > 0 at every point of the TetMesh
+  Sides sides = {};                             // empty before features are sensed
 };
 
 }  // namespace arris
