@@ -78,15 +78,16 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   const std::size_t samples = given.points.size();
   const std::size_t known = features.size();
   const FacetMesh facets = facets_of(stage, labels, job.threads());
-  const Sensed sensed =
-      sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
-                     places_to_sense(facets, stage.mesh.points.size(), samples), job);
+  const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
+                                       places_to_sense(facets, stage.mesh.points.size(), samples),
+                                       stage.roughness, job);
   insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
                         job);
   if (features.size() == known) return next;
   std::vector<Vec3> points = stage.mesh.points;
   std::vector<Index> near;
   next.model = stage.model;
+  next.roughness = stage.roughness;
   for (std::size_t k = known; k < features.size(); ++k) {
     features[k].position = given.frame.to_local(given.frame.to_user(features[k].position));
     points.push_back(features[k].position);

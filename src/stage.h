@@ -22,6 +22,7 @@ struct Stage {
   Stars stars;
   Seeds seeds;
   EnergyModel model;
+  double roughness = 0;  // by which samples lie off the surface, as a length
 };
 
 // Cut, and the manifold next to it, without specks.

@@ -10,9 +10,12 @@ namespace arris {
 
 // Two surfaces at one point are two sides of a feature if their normals differ by more than this.
 inline constexpr double least_crease_degrees = 20;
-// A point lies on a surface to this share of the spacing: small enough that an edge through it is
-// as good as one beside it.
+// A point lies on a surface to this share of the spacing, small enough that an edge through it is
+// as good as one beside it, and to twice the roughness.
 inline constexpr double on_surface = 0.005;
+inline double on_surface_distance(double spacing, double roughness) {
+  return on_surface * spacing + 2 * roughness;
+}
 
 // A patch may have been grown from a bad start, or across a feature. A surface counts if at least
 // `least_support` points within two rings have found it too; those found by most come first. First
@@ -21,8 +24,9 @@ class Council {
  public:
   // Holds on to all four. `found`: per point what was grown there.
   Council(const std::vector<Vec3>& points, const FacetMesh& mesh,
-          const std::vector<double>& spacing, const std::vector<std::vector<LocalSurface>>& found)
-      : points_(points), mesh_(mesh), spacing_(spacing), found_(found) {}
+          const std::vector<double>& spacing, const std::vector<std::vector<LocalSurface>>& found,
+          double roughness)
+      : points_(points), mesh_(mesh), spacing_(spacing), found_(found), roughness_(roughness) {}
 
   // Appends the surfaces at v. O(degree^4), all small.
   void settle(Index v, std::vector<LocalSurface>& out);
@@ -34,7 +38,7 @@ class Council {
     int support;
   };
   struct Agreement {
-    double distance, cosine;  // distance in units of spacing
+    double distance, angle;  // distance in units of spacing, radians
   };
   static const Agreement tight, loose;
   void propose(Index v, const Agreement& agreement, bool own_only);
@@ -44,6 +48,7 @@ class Council {
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
   const std::vector<std::vector<LocalSurface>>& found_;
+  double roughness_;
   std::vector<Index> near_;
   std::vector<Proposal> proposals_;
 };

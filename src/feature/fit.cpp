@@ -69,12 +69,13 @@ double median_residual(const FitData& data, const LocalSurface& s, std::vector<d
 // Returns, of a plane, whether most members lie on it exactly.
 bool reweight(const FitData& data, Form form, LocalSurface& s) {
   std::vector<double> residual, scratch, weight(data.members.size());
+  const double floor = std::max(exact, data.roughness / data.h);
   const int steps = form == Form::plane ? plane_steps : quadric_steps;
   for (int step = 0; step < steps; ++step) {
     const double median = median_residual(data, s, residual, scratch);
-    if (form == Form::plane && step == 1 && median > curved) return false;
-    if (*std::max_element(residual.begin(), residual.end()) <= exact) return true;
-    const double width = bisquare * std::max(median, exact);
+    if (form == Form::plane && step == 1 && median > std::max(curved, 2 * floor)) return false;
+    if (*std::max_element(residual.begin(), residual.end()) <= floor) return true;
+    const double width = bisquare * std::max(median, floor);
     for (std::size_t k = 0; k < weight.size(); ++k) {
       const double r = std::min(residual[k] / width, 1.0), one = 1 - r * r;
       weight[k] = data.weight[k] * (one * one + 1e-9);  // never a singular system
@@ -82,9 +83,10 @@ bool reweight(const FitData& data, Form form, LocalSurface& s) {
     fit_weighted(data, weight, form, s);
   }
   if (form == Form::quadric) return true;
+  const double on_plane = std::max(10 * exact, 2 * data.roughness / data.h);
   median_residual(data, s, residual, scratch);
   const auto on =
-      std::count_if(residual.begin(), residual.end(), [](double r) { return r <= 10 * exact; });
+      std::count_if(residual.begin(), residual.end(), [&](double r) { return r <= on_plane; });
   return static_cast<double>(on) >= plane_share * static_cast<double>(residual.size());
 }
 

@@ -15,6 +15,7 @@ struct FitData {
   const std::vector<Index>& members;
   const std::vector<double>& weight;
   double h;
+  double roughness = 0;  // by which points lie off the surface, as a length
 };
 
 // Weighted least squares of the height over the frame of `surface`. O(members).

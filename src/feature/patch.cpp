@@ -36,8 +36,7 @@ bool is_due(std::size_t members) {
 
 }  // namespace
 
-PatchTolerance::PatchTolerance(double radians)
-    : tangent(std::tan(radians)), cosine(std::cos(radians)), cosine_twice(std::cos(2 * radians)) {}
+PatchTolerance::PatchTolerance(double radians) : angle(radians), tangent(std::tan(radians)) {}
 
 Vec3 PatchGrower::middle(Index f) const {
   const Triangle& t = mesh_.facets[f];
@@ -52,12 +51,13 @@ bool PatchGrower::accepts(const Patch& patch, Index f, const PatchTolerance& tol
     const double far = distance(p, patch.surface.origin);
     if (far > reach * h) return false;
     const double lever = quadric ? h / 4 : std::max(h, far) / 2;
-    if (std::abs(patch.surface.distance(p)) > tolerance.tangent * lever) return false;
+    if (std::abs(patch.surface.distance(p)) > tolerance.tangent * lever + 2 * roughness_)
+      return false;
   }
   const Vec3 n = mesh_.normal[f];
   if (n == Vec3{}) return true;
-  const double least = quadric ? tolerance.cosine : tolerance.cosine_twice;
-  return dot(n, patch.surface.normal(middle(f))) >= least;
+  const double lean = (quadric ? 1 : 2) * tolerance.angle + 2 * roughness_ / h;
+  return dot(n, patch.surface.normal(middle(f))) >= std::cos(lean);
 }
 
 // Returns whether a point came with it.
@@ -79,7 +79,7 @@ Patch PatchGrower::grow(Index centre, Index seed, const PatchTolerance& toleranc
   patch.weight.push_back(1);
   if (mesh_.normal[seed] == Vec3{}) return patch;
   patch.surface = tangent_plane(points_[centre], mesh_.normal[seed]);
-  const FitData data{points_, patch.members, patch.weight, spacing_[centre]};
+  const FitData data{points_, patch.members, patch.weight, spacing_[centre], roughness_};
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
   std::vector<Index> seen{seed};

@@ -22,7 +22,7 @@ struct Patch {
 // How far a facet may lean from the fit so far, and a point lie off it.
 struct PatchTolerance {
   explicit PatchTolerance(double radians);
-  double tangent, cosine, cosine_twice;
+  double angle, tangent;
 };
 
 // Takes facets nearest first while they agree with the fit so far: a plane at first, a quadric from
@@ -30,10 +30,10 @@ struct PatchTolerance {
 // out lose their say, and it stays a plane if most lie on one. O(1): patches are bounded.
 class PatchGrower {
  public:
-  // Holds on to all three.
+  // Holds on to all three. `roughness`: a length by which points lie off the surface, though clean.
   PatchGrower(const std::vector<Vec3>& points, const FacetMesh& mesh,
-              const std::vector<double>& spacing)
-      : points_(points), mesh_(mesh), spacing_(spacing) {}
+              const std::vector<double>& spacing, double roughness)
+      : points_(points), mesh_(mesh), spacing_(spacing), roughness_(roughness) {}
 
   // The patch round `centre` that starts with facet `seed` of its star.
   Patch grow(Index centre, Index seed, const PatchTolerance& tolerance) const;
@@ -49,6 +49,7 @@ class PatchGrower {
   const std::vector<Vec3>& points_;
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
+  double roughness_;
 };
 
 }  // namespace arris

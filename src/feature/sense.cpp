@@ -29,8 +29,13 @@ using Found = std::vector<std::vector<LocalSurface>>;
 // other.
 class Senser {
  public:
-  Senser(const std::vector<Vec3>& points, const FacetMesh& mesh, const std::vector<double>& spacing)
-      : grower_(points, mesh, spacing), points_(points), mesh_(mesh), spacing_(spacing) {}
+  Senser(const std::vector<Vec3>& points, const FacetMesh& mesh, const std::vector<double>& spacing,
+         double roughness)
+      : grower_(points, mesh, spacing, roughness),
+        points_(points),
+        mesh_(mesh),
+        spacing_(spacing),
+        roughness_(roughness) {}
 
   void sense(Index v, std::vector<LocalSurface>& out) const {
     const double bend = least_bend_at(v);
@@ -71,7 +76,7 @@ class Senser {
 
   void keep(const LocalSurface& s, Index v, std::vector<LocalSurface>& out) const {
     static const double crease = std::cos(radians(least_crease_degrees));
-    if (std::abs(s.distance(points_[v])) > on_surface * spacing_[v]) return;
+    if (std::abs(s.distance(points_[v])) > on_surface_distance(spacing_[v], roughness_)) return;
     const Vec3 n = s.normal(points_[v]);
     for (const LocalSurface& o : out)
       if (dot(o.normal(points_[v]), n) >= crease) return;
@@ -82,6 +87,7 @@ class Senser {
   const std::vector<Vec3>& points_;
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
+  double roughness_;
 };
 
 }  // namespace
@@ -94,17 +100,17 @@ std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points) 
 
 Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
                       const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
-                      Job& job) {
+                      double roughness, Job& job) {
   Found found(points.size()), settled(points.size());
   parallel_chunks(points.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
-    const Senser senser(points, mesh, spacing);
+    const Senser senser(points, mesh, spacing, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) senser.sense(static_cast<Index>(v), found[v]);
   });
   job.tick(0.7);
   parallel_chunks(points.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
-    Council council(points, mesh, spacing, found);
+    Council council(points, mesh, spacing, found, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) council.settle(static_cast<Index>(v), settled[v]);
   });
