@@ -99,7 +99,9 @@ void add_method_options(CLI::App& app, Options& options) {
   static const std::map<std::string, Method> methods = {{"default", Method::automatic},
                                                         {"paper", Method::paper}};
   static const std::map<std::string, Curvature> curvatures = {
-      {"cotangent", Curvature::cotangent}, {"polyhedral", Curvature::polyhedral}};
+      {"area", Curvature::area},
+      {"cotangent", Curvature::cotangent},
+      {"polyhedral", Curvature::polyhedral}};
   add_choice(app, "--method", methods, options.method,
              "How: the default, or the setting of the paper by Shi, Wan, Tai and Wang (2011)");
   app.add_option("--lambda", options.lambda,
@@ -110,7 +112,8 @@ void add_method_options(CLI::App& app, Options& options) {
   app.add_option("--background", options.background,
                  "Background points per sample (0 by default, 10 with --method paper)")
       ->check(number_in(0, 1000, "a number from 0 to 1000"));
-  add_choice(app, "--curvature", curvatures, options.curvature, "How the swaps measure curvature");
+  add_choice(app, "--curvature", curvatures, options.curvature,
+             "How the swaps measure curvature; area: minimal area instead, to compare with");
   app.add_flag_callback(
       "--no-swap", [&options] { options.swap = false; }, "Leave the swaps out");
   app.add_flag_callback(

@@ -13,7 +13,7 @@ constexpr int paper_cycles = 3;
 constexpr double paper_background = 10;
 
 // Without background points every point lies on the surface, so its signed distance carries no
-// curvature and a second cut would equal the first.
+// curvature and a second cut would equal the first. Nor does any surface's, if λ weighs area.
 constexpr int automatic_cycles = 1;
 
 constexpr int most_cycles = 100;
@@ -34,7 +34,8 @@ Options resolve_options(Options options) {
     refuse("cycles", std::to_string(options.cycles), "1 to 100, or 0 for the default");
   if (!(options.background <= most_background))
     refuse("background", std::to_string(options.background), "at most 1000 points per sample");
-  if (options.cycles == 0) options.cycles = paper ? paper_cycles : automatic_cycles;
+  const bool area = options.curvature == Curvature::area;
+  if (options.cycles == 0) options.cycles = paper && !area ? paper_cycles : automatic_cycles;
   if (options.background < 0) options.background = paper ? paper_background : 0;
   if (options.curvature == Curvature::by_method)
     options.curvature = paper ? Curvature::cotangent : Curvature::polyhedral;

@@ -23,7 +23,8 @@ double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i
   for (int corner : facet_corners[static_cast<std::size_t>(i)])
     h += 1.0 / 3 * model.spacing[mesh.vertices[t][static_cast<std::size_t>(corner)]];
   const FacetDistance f = facet_distance(mesh, t, i);
-  return f.mean_distance * f.area / (h * h * h);
+  const double constant = model.curvature == Curvature::area ? model.lambda * h : 0;
+  return (f.mean_distance + constant) * f.area / (h * h * h);
 }
 
 FidelityCosts::FidelityCosts(const TetMesh& mesh, const EnergyModel& model)

@@ -27,6 +27,8 @@ const char* text(Curvature curvature) {
       return "cotangent";
     case Curvature::polyhedral:
       return "polyhedral";
+    case Curvature::area:
+      return "area";
   }
   return "unknown";
 }
