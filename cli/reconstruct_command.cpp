@@ -117,6 +117,9 @@ void add_method_options(CLI::App& app, Options& options) {
   app.add_flag_callback(
       "--no-swap", [&options] { options.swap = false; }, "Leave the swaps out");
   app.add_flag_callback(
+      "--free-samples", [&options] { options.keep_samples = false; },
+      "Let swaps take samples off the surface, to compare with: edges are lost");
+  app.add_flag_callback(
       "--drop-non-finite", [&options] { options.non_finite = NonFinite::drop; },
       "Leave out points with NaN or infinite coordinates instead of refusing them");
 }

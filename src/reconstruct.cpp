@@ -110,8 +110,7 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
 void run_swaps(const Stage& stage, double share, Labels& labels, Report& report, Job& job) {
   job.stage("swap", share);
   SwapOptions options;
-  // A surface of least area cuts convex edges off: it has to be free to leave their samples.
-  options.keep_samples = stage.model.curvature != Curvature::area;
+  options.keep_samples = report.options.keep_samples;
   options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
   SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
   report.swap_energy = std::move(swaps.energy);

@@ -50,6 +50,7 @@ Json to_object(const Options& o) {
           {"background", o.background},
           {"curvature", text(o.curvature)},
           {"swap", o.swap},
+          {"keep_samples", o.keep_samples},
           {"tetrahedra", o.tetrahedra},
           {"non_finite", text(o.non_finite)}};
 }

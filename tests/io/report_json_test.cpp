@@ -62,7 +62,7 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "warnings"}));
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
-                                      "swap", "tetrahedra", "non_finite"}));
+                                      "swap", "keep_samples", "tetrahedra", "non_finite"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
                                                                  "closed",
                                                                  "manifold",
