@@ -7,17 +7,19 @@
     bench/benchmark.py --page           no new runs: the page from the rows that are there
 
 Rows go to OUT/*.csv as they are finished; a row that is there is not run again unless the program
-or the settings behind it have changed. OUT/index.html needs nothing beside it.
+or the settings behind it have changed. OUT/index.html needs nothing beside it; OUT/summary.md has its
+tables alone.
 """
 import argparse
 import os
 import platform
+import signal
 import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 # pylint: disable=wrong-import-position
-from harness import methods, page, paper, process, quality, speed, truth  # noqa: E402
+from harness import methods, page, paper, process, quality, speed, summary, truth  # noqa: E402
 from harness.pictures import Pictures  # noqa: E402
 from harness.table import Table  # noqa: E402
 
@@ -164,25 +166,32 @@ class Benchmark:
 
     def run(self):
         running = not self.options.page
+        digest = []  # the tables alone
         sections = [self.heading(), page.methods_section(self.ours + self.peers, self.missing)]
         if "paper" in self.suites:
             suite = self.paper_suite()
             if running:
                 suite.run(say)
             sections.append(page.paper_section(suite, suite.pictures))
+            digest += summary.paper_digest(suite)
         if "quality" in self.suites:
             for title, suite, variants in self.quality_suites():
                 if running:
                     suite.run(self.options.jobs, say)
                 sections.append(page.quality_section(title, suite, variants, suite.pictures))
+                digest += summary.quality_digest(title, suite, variants)
         if "speed" in self.suites:
             suite = self.speed_suite()
             if running:
                 suite.run(self.version, say)
             sections.append(page.speed_section(suite, self.version, machine()))
+            digest += summary.speed_digest(suite, self.version)
         path = os.path.join(self.options.out, "index.html")
         os.makedirs(self.options.out, exist_ok=True)
         page.write(path, sections)
+        with open(os.path.join(self.options.out, "summary.md"), "w", encoding="utf-8") as file:
+            file.writelines(f"## {title}\n\n{grid.markdown()}\n" for title, grid in digest
+                            if grid.rows)
         say(f"page: {path}, {os.path.getsize(path) / 1e6:.1f} MB")
 
 
@@ -191,6 +200,7 @@ def say(text):
 
 
 def main():
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # of the peers; arris is told on its command line
     try:
         Benchmark(parse(sys.argv[1:])).run()

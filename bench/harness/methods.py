@@ -28,12 +28,15 @@ CGAL_METHODS = (
     ("poisson", "CGAL Poisson",
      "normals by jet fitting over 18 neighbours, oriented by a minimum spanning tree over 18, "
      "points that it leaves unoriented dropped; poisson_surface_reconstruction_delaunay with the "
-     "average spacing (6 neighbours) and its default mesh criteria (20 degrees, 30, 0.375)"),
+     "average spacing (6 neighbours) and a mesh of 20 degrees, radius 2, distance 0.1 spacings; the "
+     "default radius of 30 gives a thousand triangles for 4000 points"),
     ("advancing_front", "CGAL advancing front", "defaults: radius ratio bound 5, beta 0.52"),
     ("scale_space", "CGAL scale space",
      "four smoothings with the jet smoother, advancing front mesher with edges of at most 5 average "
      "spacings; the vertices are the input points"),
-    ("alpha_wrap", "CGAL alpha wrap", "alpha 3 average spacings, offset 0.1"),
+    ("alpha_wrap", "CGAL alpha wrap",
+     "alpha 4 average spacings, offset 0.05; with an alpha of 3 it enters the solid between random "
+     "samples"),
 )
 OPEN3D_METHODS = (
     ("poisson", "Open3D Poisson",
@@ -49,7 +52,7 @@ PYMESHLAB_METHODS = (
     ("screened_poisson", "MeshLab screened Poisson",
      "normals over 16 neighbours, propagated; depth 9, pre-clean, other values default"),
     ("rimls", "MeshLab RIMLS", "the same normals; marching cubes with 200 cells, other values "
-     "default"),
+     "default; duplicate vertices and null faces of the marching cubes removed"),
     ("ball_pivoting", "MeshLab ball pivoting", "the same normals; radius chosen by MeshLab"),
 )
 

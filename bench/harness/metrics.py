@@ -20,7 +20,6 @@ FIGURES = {
     "corner_recall": "edges/corners/recall",
     "ndc_edge": "ndc/ef1",
     "volume_iou": "volume_iou",
-    "same_topology": "same_topology",
     "components": "result/components",
     "truth_components": "truth/components",
     "euler": "result/euler",
@@ -31,7 +30,7 @@ FIGURES = {
     "vertices": "result/vertices",
     "triangles": "result/triangles",
 }
-COLUMNS = (*FIGURES, "normal_error", "sound")
+COLUMNS = (*FIGURES, "normal_error", "same_topology", "sound")
 
 
 def look_up(report, path):
@@ -46,6 +45,10 @@ def figures_of(report):
     row = {column: look_up(report, path) for column, path in FIGURES.items()}
     errors = (row["normal_there"], row["normal_back"])
     row["normal_error"] = None if None in errors else sum(errors) / 2
+    # Degenerate triangles do not count here: components and Euler characteristic do not see them.
+    row["same_topology"] = bool(row["closed"] and row["manifold"]
+                                and row["components"] == row["truth_components"]
+                                and row["euler"] == row["truth_euler"])
     # What a user can rely on: a solid without faults of its surface.
     row["sound"] = bool(row["closed"] and row["manifold"] and row["intersections"] == 0)
     return row

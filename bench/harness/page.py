@@ -74,8 +74,8 @@ def quality_section(title, suite, variants, pictures):
         return ""
     parts = [f"<h2>{escape(title)}</h2><p>Median over the cases that gave a mesh, and the worst in "
              "brackets. Meshes: how many runs gave one; sound: closed, manifold and free of "
-             "self-intersections; right topology: components, Euler characteristic and genus of the "
-             "truth. The last two count every run, failed ones too. Lengths are shares of the "
+             "self-intersections; right topology: closed, manifold, and components and Euler "
+             "characteristic of the truth. The last two count every run, failed ones too. Lengths are shares of the "
              "diagonal.</p>"]
     for variant in variants:
         grid = summary.quality_grid(rows_of, suite.methods, variant)

@@ -6,6 +6,7 @@ from harness import process, thumbnail
 
 LIMITS = process.Limits(seconds=120)
 AZIMUTH = ("--azimuth", "40")
+ERROR_SIZE = "200x170"  # of each of the two meshes, so that their captions fit
 VIEW = ("--size", "132x116", "--samples", "2", "--occlusion", "0", *AZIMUTH)
 LARGE_VIEW = ("--size", "220x200", "--samples", "2", "--occlusion", "16", *AZIMUTH)
 
@@ -30,19 +31,21 @@ class Pictures:
         """`name` is a tuple of folder and file name."""
         path = self.path(*name)
         os.makedirs(os.path.dirname(path), exist_ok=True)
+        self.remove(name)
         outcome = process.run([self.arris, "render", *files, "-o", path, "--quiet",
                                "--threads", "1", *view, *options], LIMITS)
         if outcome.ok:
             shrink(path)
-        elif os.path.exists(path):
-            os.remove(path)
-        return outcome.ok
+
+    def remove(self, name):
+        if os.path.exists(self.path(*name)):
+            os.remove(self.path(*name))
 
     def error_options(self, name):
         """Options of `arris compare` that draw the errors of both meshes."""
         path = self.path(*name)
         os.makedirs(os.path.dirname(path), exist_ok=True)
-        return ("--picture", path, "--size", "132x116", *AZIMUTH)
+        return ("--picture", path, "--size", ERROR_SIZE, *AZIMUTH)
 
     def shrink(self, name):
         if os.path.exists(self.path(*name)):

@@ -68,6 +68,15 @@ class Watch(threading.Thread):
                 return
 
 
+RUNNING = set()  # process groups; for an end before their time
+
+
+def kill_all():
+    """Ends every command that runs in any thread: their outcomes are not to be believed."""
+    for group in tuple(RUNNING):
+        kill_group(group)
+
+
 def kill_group(group):
     try:
         os.killpg(group, signal.SIGKILL)
@@ -90,6 +99,7 @@ def run(command, limits=Limits(), directory=None):
                                        cwd=directory, start_new_session=True)
         except OSError as error:
             return Outcome("failed", str(error), 0, 0)
+        RUNNING.add(process.pid)
         watch = Watch(process, limits)
         watch.start()
         try:
@@ -98,6 +108,7 @@ def run(command, limits=Limits(), directory=None):
             kill_group(process.pid)
             raise
         finally:
+            RUNNING.discard(process.pid)
             watch.done.set()
             watch.join()
         seconds = time.monotonic() - begin

@@ -47,6 +47,7 @@ class Suite:
                             f"{row['status']} {row['reason']}")
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
+                process.kill_all()
                 raise
 
     def one(self, case, method):
@@ -60,6 +61,7 @@ class Suite:
         row = {"case": case.name, "method": method.name, "version": method.version,
                "model": case.model, "variant": case.variant, "seed": case.seed,
                "points": count_points(points)}
+        self.pictures.remove((case.name, method.name))  # of an older version
         with tempfile.TemporaryDirectory(prefix="arris-bench-") as folder:
             mesh = os.path.join(folder, "mesh.ply")
             outcome = process.run(method.to_mesh(points, mesh), self.limits, folder)

@@ -176,3 +176,21 @@ def stage_memory_grid(table, version):
         grid.rows.append([f"{points:,}", *(fixed(number(rows[s]["peak_mb"]) if s in rows else None,
                                                  0) for s in stages)])
     return grid
+
+
+# The tables of each suite with their titles, for a digest.
+def paper_digest(suite):
+    examples = [e for group in paper.FIGURES.values() for e in group]
+    return [("Table 1", table_1(suite.table, suite.version)),
+            ("Figure 6", figure_6(suite.table, suite.version)),
+            ("Figures 7 to 10", examples_grid(suite.table, suite.version, examples))]
+
+
+def quality_digest(title, suite, variants):
+    rows_of = current(suite.table, suite.methods)
+    return [(f"{title}: {v}", quality_grid(rows_of, suite.methods, v)) for v in variants]
+
+
+def speed_digest(suite, version):
+    return [("Time", speed_grid(suite.table, version)),
+            ("Memory", stage_memory_grid(suite.table, version))]

@@ -63,8 +63,11 @@ void poisson(const Points& points, const std::string& out) {
   CGAL::jet_estimate_normals<CGAL::Sequential_tag>(cloud, normal_neighbours, maps);
   cloud.erase(CGAL::mst_orient_normals(cloud, normal_neighbours, maps), cloud.end());
   SurfaceMesh mesh;
+  // The default radius of 30 spacings leaves a thousand triangles where there are 4000 points.
+  constexpr double angle = 20, radius = 2, distance = 0.1;  // degrees, average spacings
   if (!CGAL::poisson_surface_reconstruction_delaunay(cloud.begin(), cloud.end(), PointMap(),
-                                                     NormalMap(), mesh, spacing_of(points)))
+                                                     NormalMap(), mesh, spacing_of(points), angle,
+                                                     radius, distance))
     throw std::runtime_error("the Poisson function could not be computed");
   write(out, mesh);
 }
@@ -89,7 +92,7 @@ void scale_space(const Points& points, const std::string& out) {
 }
 
 void alpha_wrap(const Points& points, const std::string& out) {
-  constexpr double alpha = 3, offset = 0.1;  // in units of the average spacing
+  constexpr double alpha = 4, offset = 0.05;  // in units of the average spacing
   const double spacing = spacing_of(points);
   SurfaceMesh mesh;
   CGAL::alpha_wrap_3(points, alpha * spacing, offset * spacing, mesh);

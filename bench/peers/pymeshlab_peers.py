@@ -27,6 +27,10 @@ def screened_poisson(meshes):
 def rimls(meshes):
     normals(meshes)
     meshes.generate_marching_cubes_rimls(resolution=RIMLS_RESOLUTION)
+    # Where the surface meets a corner of the grid there are several vertices at one place.
+    meshes.meshing_remove_duplicate_vertices()
+    meshes.meshing_remove_null_faces()
+    meshes.meshing_remove_unreferenced_vertices()
 
 
 def ball_pivoting(meshes):
