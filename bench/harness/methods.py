@@ -82,35 +82,25 @@ def arris_methods(arris):
     ]
 
 
-def peers_of(family, program, command, methods):
-    """The methods of one program; none if it is not there."""
-    version = program_version(command) if os.path.exists(program) else None
-    if not version:
-        return []
-    version = f"{version}-{fingerprint(program)}"
-    return [Method(f"{family}_{name}", title, settings, (*command, name, "{points}", "{mesh}"),
-                   version)
-            for name, title, settings in methods]
-
-
 def find_peers(build):
     """All peers that scripts/install-peers.sh has installed, and the names of missing families."""
     python = os.path.join(build, "peers", "bin", "python")
     cgal = os.path.join(build, "cgal_peers")
+    families = (
+        ("cgal", [cgal], CGAL_METHODS),
+        ("open3d", [python, os.path.join(PEERS, "open3d_peers.py")], OPEN3D_METHODS),
+        ("meshlab", [python, os.path.join(PEERS, "pymeshlab_peers.py")], PYMESHLAB_METHODS),
+    )
     found, missing = [], []
-    for family, program, command, methods in (
-            ("cgal", cgal, [cgal], CGAL_METHODS),
-            ("open3d", os.path.join(PEERS, "open3d_peers.py"), [python], OPEN3D_METHODS),
-            ("meshlab", os.path.join(PEERS, "pymeshlab_peers.py"), [python], PYMESHLAB_METHODS)):
-        if command == [python]:
-            command = [python, program]
-            if not os.path.exists(python):
-                missing.append(family)
-                continue
-        peers = peers_of(family, program, command, methods)
-        found += peers
-        if not peers:
+    for family, command, methods in families:
+        version = program_version(command)
+        if not version:
             missing.append(family)
+            continue
+        version = f"{version}-{fingerprint(command[-1])}"
+        found += [Method(f"{family}_{name}", title, settings,
+                         (*command, name, "{points}", "{mesh}"), version)
+                  for name, title, settings in methods]
     if missing:
         print(f"benchmark: peers not found: {', '.join(missing)} (scripts/install-peers.sh)",
               file=sys.stderr)

@@ -1,5 +1,6 @@
 """A CSV file that a run adds rows to, and from which an interrupted run goes on."""
 import csv
+import io
 import os
 
 
@@ -14,19 +15,13 @@ class Table:
 
     def _read(self):
         with open(self.path, newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file)
-            for row in reader:
-                if None in row.values() or None in row:  # the line that an interruption cut off
-                    continue
-                self.rows[self._key(row)] = {c: row.get(c, "") for c in self.columns}
-            same = reader.fieldnames == self.columns
-        if not same or not self._ends_with_newline():
+            text = file.read()
+        whole = text[:text.rfind("\n") + 1]  # without the line that an interruption cut off
+        reader = csv.DictReader(io.StringIO(whole, newline=""))
+        for row in reader:
+            self.rows[self._key(row)] = {c: row.get(c) or "" for c in self.columns}
+        if whole != text or reader.fieldnames != self.columns:
             self._rewrite()
-
-    def _ends_with_newline(self):
-        with open(self.path, "rb") as file:
-            content = file.read()
-        return content.endswith(b"\n")
 
     def _rewrite(self):
         temporary = self.path + ".new"
