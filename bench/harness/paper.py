@@ -43,7 +43,9 @@ FIGURE_6 = {
     "cotangent": ("the paper's curvature", ("--method", "paper", "--free-samples")),
     "polyhedral": ("polyhedral curvature",
                    ("--method", "paper", "--curvature", "polyhedral", "--free-samples")),
-    "kept": ("the paper's curvature, and no sample may leave the surface (--method paper)",
+    "area_kept": ("area, and no sample may leave the surface",
+                  ("--method", "paper", "--curvature", "area")),
+    "kept": ("the paper's curvature, and no sample may leave: --method paper",
              ("--method", "paper")),
 }
 FEWEST_SAMPLES = 4000  # where the paper gives no size

@@ -110,7 +110,8 @@ def table_1(table, version):
 def examples_grid(table, version, examples):
     grid = Grid(["example", "samples", "edge F1 0.1 %, --method paper", "edge F1, default",
                  "normals, °, --method paper", "normals, default", "right topology"],
-                note="Edge F1 is 1 where every edge of the truth is there and no other.")
+                note="Edge F1 is 1 where every edge of the truth is there and no other, and 0 where "
+                     "the truth has none but the mesh has one, however short.")
     for example in examples:
         rows = [table[(example, s, version)] for s in ("paper", "default")
                 if (example, s, version) in table]
@@ -125,9 +126,8 @@ def examples_grid(table, version, examples):
 
 def figure_6(table, version):
     grid = Grid(["what λ = 0.1 weighs", "edge F1 0.1 %", "normals, °", "Chamfer, e-4"],
-                note="Two cubes. In all but the last row the swaps may take samples off the surface, "
-                     "which arris otherwise refuses; where they may not, every energy keeps these "
-                     "edges, because they were sampled.")
+                note="Two cubes. In all but the last two rows the swaps may take samples off the "
+                     "surface, which arris otherwise refuses.")
     for setting, (title, _) in paper.FIGURE_6.items():
         key = (paper.FIGURE_6_EXAMPLE, setting, version)
         if key not in table and setting == "kept":
