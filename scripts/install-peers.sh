@@ -2,7 +2,7 @@
 # Installs what the benchmark compares arris with; each part is optional, and the benchmark says
 # which it found.
 #   scripts/install-peers.sh [BUILD_DIRECTORY]    as root or with sudo; needs the network, 2 GB of
-#                                                 disk and, for CGAL's part, 2.5 GB of memory
+#                                                 disk and, for CGAL's part, 3.3 GB of memory
 # CGAL's methods are compiled into BUILD_DIRECTORY/cgal_peers, Open3D and PyMeshLab come by pip into
 # a virtual environment in BUILD_DIRECTORY/peers.
 set -u
