@@ -19,12 +19,12 @@
 #include <string>
 #include <vector>
 
-#include "support/random.h"
+#include "truth/random.h"
 
 namespace {
 
 std::vector<arris::Vec3> bumpy_sphere(std::size_t n) {
-  arris::test::Random random(1);
+  arris::truth::Random random(1);
   std::vector<arris::Vec3> points(n);
   for (arris::Vec3& p : points) {
     const double z = 2 * random.unit() - 1, a = 2 * std::numbers::pi * random.unit();

@@ -21,5 +21,7 @@ std::function<int()> declare_reconstruct(CLI::App& app);
 std::function<int()> declare_check(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
 std::function<int()> declare_render(CLI::App& app);
+std::function<int()> declare_model(CLI::App& app);
+std::function<int()> declare_sample(CLI::App& app);
 
 }  // namespace arris::cli

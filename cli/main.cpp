@@ -21,6 +21,8 @@ constexpr std::array commands = {
     Command{"check", "Examine any mesh: closed, manifold, no self-intersection", declare_check},
     Command{"info", "Say what is in a file", declare_info},
     Command{"render", "Draw meshes or points as a picture", declare_render},
+    Command{"model", "Make a solid with known truth", declare_model},
+    Command{"sample", "Draw a point cloud from a mesh, clean or spoiled", declare_sample},
 };
 
 const char* const examples =

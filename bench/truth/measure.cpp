@@ -1,4 +1,4 @@
-#include "support/measure.h"
+#include "truth/measure.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "base/vec.h"
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 struct HalfEdge {
@@ -51,6 +51,23 @@ bool is_one_fan(std::vector<std::pair<Index, Index>> links) {
 }
 
 }  // namespace
+
+double Bounds::diagonal() const {
+  return distance(low, high);
+}
+
+Vec3 Bounds::centre() const {
+  return 0.5 * (low + high);
+}
+
+Bounds bounds_of(const std::vector<Vec3>& points) {
+  Bounds b{points.at(0), points.at(0)};
+  for (const Vec3 p : points) {
+    b.low = {std::min(b.low.x, p.x), std::min(b.low.y, p.y), std::min(b.low.z, p.z)};
+    b.high = {std::max(b.high.x, p.x), std::max(b.high.y, p.y), std::max(b.high.z, p.z)};
+  }
+  return b;
+}
 
 std::vector<Edge> edges(const Mesh& mesh) {
   const std::vector<HalfEdge> half = sorted_half_edges(mesh);
@@ -165,4 +182,4 @@ double distance_to_mesh(Vec3 p, const Mesh& mesh) {
   return nearest;
 }
 
-}  // namespace arris::test
+}  // namespace arris::truth

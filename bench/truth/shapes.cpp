@@ -1,4 +1,4 @@
-#include "support/shapes.h"
+#include "truth/shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/vec.h"
-#include "support/random.h"
-#include "support/revolution.h"
+#include "truth/random.h"
+#include "truth/revolution.h"
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -207,4 +207,4 @@ Mesh moved(Mesh mesh, std::uint64_t seed, double scale, Vec3 shift) {
   return mesh;
 }
 
-}  // namespace arris::test
+}  // namespace arris::truth

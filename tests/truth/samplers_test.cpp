@@ -1,17 +1,19 @@
-#include "support/samplers.h"
+#include "truth/samplers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "base/vec.h"
-#include "support/measure.h"
-#include "support/random.h"
-#include "support/shapes.h"
+#include "truth/measure.h"
+#include "truth/random.h"
+#include "truth/shapes.h"
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 double nearest_pair(const std::vector<Vec3>& points) {
@@ -108,25 +110,87 @@ TEST(Samplers, FeatureFindsRimsWithoutCorners) {
     EXPECT_NEAR(std::hypot(p.x, p.y), 0.5, 0.001);
   }
   EXPECT_TRUE(feature_points(sphere().mesh, 0.1).empty());
-  EXPECT_EQ(feature_points(cone().mesh, 10).size(), 1u) << "one on the rim, none at the tip";
+  EXPECT_EQ(feature_points(cone().mesh, 10).size(), 2u) << "one on the rim, one at the tip";
 }
 
-TEST(Samplers, NoiseAndOutliersAreAsAsked) {
-  const std::vector<Vec3> clean = sample_blue(cube().mesh, 2000, 1);
-  std::vector<Vec3> noisy = clean;
-  add_noise(noisy, 0.01, 2);
-  double squares = 0;
-  for (std::size_t i = 0; i < clean.size(); ++i) squares += squared_length(noisy[i] - clean[i]);
-  EXPECT_NEAR(std::sqrt(squares / 6000), 0.01, 0.0005);
+// Mesh files need not be closed: where the surface ends is an edge.
+TEST(Samplers, FeatureTakesBoundariesForEdges) {
+  Mesh open = cube().mesh;
+  open.triangles.resize(open.triangles.size() - 1);
+  const Samples features = feature_samples(open, 10);
+  EXPECT_EQ(features.size(), 8u);
+  const Samples all = sample(open, {Mode::feature, 500, 1});
+  EXPECT_EQ(all.size(), 500u);
+}
 
-  std::vector<Vec3> dirty = clean;
-  add_outliers(dirty, 100, 3);
-  ASSERT_EQ(dirty.size(), 2100u);
-  EXPECT_TRUE(std::equal(clean.begin(), clean.end(), dirty.begin()));
-  std::size_t off = 0;
-  for (std::size_t i = 2000; i < 2100; ++i) off += distance_to_mesh(dirty[i], cube().mesh) > 0.001;
-  EXPECT_GT(off, 90u);
+TEST(Samplers, DirectionsAreOutwardUnitNormals) {
+  const Mesh ball = sphere().mesh, box = cube().mesh;
+  for (const Mode mode : {Mode::uniform, Mode::blue, Mode::graded, Mode::feature}) {
+    const Samples round = sample(ball, {mode, 300, 1}), flat = sample(box, {mode, 300, 1});
+    ASSERT_EQ(round.directions.size(), round.size());
+    for (std::size_t i = 0; i < round.size(); ++i)
+      EXPECT_GT(dot(round.directions[i], round.positions[i]), 0.99);
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      EXPECT_NEAR(length(flat.directions[i]), 1, 1e-12);
+      // On edges and corners too, the way out leads away from the centre.
+      EXPECT_GT(dot(flat.directions[i], flat.positions[i] - Vec3{0.5, 0.5, 0.5}), 0.49);
+    }
+  }
+}
+
+// Pearson's chi-squared over 6 x 8 x 8 equal squares: mean 383, deviation 28 if uniform.
+TEST(Samplers, UniformPassesChiSquared) {
+  constexpr int cells = 8;
+  constexpr std::size_t n = 38400;
+  std::vector<double> counts(6 * cells * cells, 0);
+  for (const Vec3 p : sample_uniform(cube().mesh, n, 5)) {
+    const std::array<double, 3> c = {p.x, p.y, p.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (c[axis] != 0 && c[axis] != 1) continue;
+      const auto cell = [&](std::size_t k) {
+        return std::min(static_cast<std::size_t>(c[(axis + k) % 3] * cells),
+                        std::size_t{cells - 1});
+      };
+      ++counts[((2 * axis + (c[axis] == 1)) * cells + cell(1)) * cells + cell(2)];
+    }
+  }
+  constexpr double expected = static_cast<double>(n) / (6 * cells * cells);
+  double chi_squared = 0;
+  for (const double count : counts)
+    chi_squared += (count - expected) * (count - expected) / expected;
+  EXPECT_GT(chi_squared, 383 - 4 * 28);
+  EXPECT_LT(chi_squared, 383 + 4 * 28);
+}
+
+// Density 10^-t along the unknown direction: the two ends of a long bar differ about tenfold if it
+// lies along that, and samples keep the distance that their density allows.
+TEST(Samplers, GradedIsTenTimesDenserAtOneEnd) {
+  const Mesh bar = box_complex({{{0, 0, 0}, {100, 1, 1}}});
+  const std::vector<Vec3> points = sample(bar, {Mode::graded, 4000, 3}).positions;
+  ASSERT_EQ(points.size(), 4000u);
+  double first = 0, last = 0;
+  for (const Vec3 p : points) {
+    first += p.x < 10;
+    last += p.x > 90;
+  }
+  // Over the first and last tenth: 10^0.9, whichever end is dense.
+  EXPECT_NEAR(std::max(first, last) / std::min(first, last), std::pow(10, 0.9), 1.2);
+  EXPECT_GT(nearest_pair(points), 0.5 * ideal_spacing(400 * 0.39, 4000));
+}
+
+TEST(Samplers, RefuseWhatHasNoSurface) {
+  Mesh flat;
+  flat.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  flat.triangles = {{0, 1, 2}};
+  for (const Mode mode : {Mode::uniform, Mode::blue, Mode::graded, Mode::feature})
+    EXPECT_THROW(sample(flat, {mode, 10, 1}), std::invalid_argument);
+  Mesh broken = cube().mesh;
+  broken.triangles[0][0] = 99;
+  EXPECT_THROW(sample(broken, {}), std::invalid_argument);
+  Mesh infinite = cube().mesh;
+  infinite.vertices[0].x = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(sample(infinite, {}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace arris::test
+}  // namespace arris::truth

@@ -1,4 +1,4 @@
-#include "support/shapes.h"
+#include "truth/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "base/vec.h"
-#include "support/measure.h"
+#include "truth/measure.h"
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 class Shapes : public testing::TestWithParam<Shape> {};
@@ -81,4 +81,4 @@ void PrintTo(const Shape& shape, std::ostream* out) {
   *out << shape.name;
 }
 
-}  // namespace arris::test
+}  // namespace arris::truth

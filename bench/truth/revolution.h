@@ -5,7 +5,7 @@
 
 #include "arris/types.h"
 
-namespace arris::test {
+namespace arris::truth {
 
 // A point of a profile in the half plane: distance from the axis and height.
 struct ProfilePoint {
@@ -24,4 +24,8 @@ Mesh revolve(const std::vector<ProfilePoint>& profile, int around);
 // to the first, is left out.
 Mesh revolve_loop(const std::vector<ProfilePoint>& profile, int around);
 
-}  // namespace arris::test
+// The mesh turned about the z axis. Parts on one axis, or through each other's axes, combine better
+// if they are turned by a part of a step: edges that nearly coincide would leave slivers.
+Mesh turned_about_z(Mesh mesh, double angle);
+
+}  // namespace arris::truth

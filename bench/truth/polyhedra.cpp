@@ -6,10 +6,10 @@
 #include <map>
 
 #include "base/vec.h"
-#include "support/measure.h"
-#include "support/shapes.h"
+#include "truth/measure.h"
+#include "truth/shapes.h"
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 using Cell = std::array<std::size_t, 3>;
@@ -158,4 +158,4 @@ Mesh convex_hull(const std::vector<Vec3>& points) {
   return mesh;
 }
 
-}  // namespace arris::test
+}  // namespace arris::truth

@@ -1,10 +1,10 @@
-#include "support/revolution.h"
+#include "truth/revolution.h"
 
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
-namespace arris::test {
+namespace arris::truth {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -64,4 +64,10 @@ Mesh revolve_loop(const std::vector<ProfilePoint>& profile, int around) {
   return mesh;
 }
 
-}  // namespace arris::test
+Mesh turned_about_z(Mesh mesh, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (Vec3& p : mesh.vertices) p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+  return mesh;
+}
+
+}  // namespace arris::truth
