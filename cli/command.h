@@ -20,6 +20,7 @@ struct Command {
 std::function<int()> declare_reconstruct(CLI::App& app);
 std::function<int()> declare_check(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
+std::function<int()> declare_compare(CLI::App& app);
 std::function<int()> declare_render(CLI::App& app);
 std::function<int()> declare_model(CLI::App& app);
 std::function<int()> declare_sample(CLI::App& app);

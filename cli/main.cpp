@@ -20,6 +20,7 @@ constexpr std::array commands = {
     Command{"reconstruct", "Points in, certified mesh out", declare_reconstruct},
     Command{"check", "Examine any mesh: closed, manifold, no self-intersection", declare_check},
     Command{"info", "Say what is in a file", declare_info},
+    Command{"compare", "Hold a mesh against the truth", declare_compare},
     Command{"render", "Draw meshes or points as a picture", declare_render},
     Command{"model", "Make a solid with known truth", declare_model},
     Command{"sample", "Draw a point cloud from a mesh, clean or spoiled", declare_sample},

@@ -15,6 +15,7 @@
 #include "values.h"
 
 #ifdef ARRIS_HAS_VIEWER
+#include "view_options.h"
 #include "viewer/png.h"
 #include "viewer/render.h"
 #endif
@@ -102,43 +103,8 @@ int run(const Arguments& arguments) {
   return done ? 0 : report_error(done.error());
 }
 
-// "640x480"
-void set_size(const std::string& text, viewer::View& view) {
-  const std::size_t cross = text.find('x');
-  const CLI::Validator pixels = whole_number_in(16, 16384, "WIDTHxHEIGHT, each 16 to 16384");
-  std::string width = text.substr(0, cross);
-  std::string height = cross == std::string::npos ? "" : text.substr(cross + 1);
-  if (!pixels(width).empty() || !pixels(height).empty())
-    throw CLI::ValidationError("--size",
-                               "must be WIDTHxHEIGHT, each a whole number from 16 to "
-                               "16384, not " +
-                                   quoted(text));
-  view.width = std::stoi(width);
-  view.height = std::stoi(height);
-}
-
-void set_up(const std::string& text, viewer::View& view) {
-  if (text != "x" && text != "y" && text != "z")
-    throw CLI::ValidationError("--up", "must be one of x|y|z, not " + quoted(text));
-  view.up = text == "x" ? viewer::Up::x : text == "y" ? viewer::Up::y : viewer::Up::z;
-}
-
 void add_view_options(CLI::App& app, viewer::View& view) {
-  app.add_option_function<std::string>(
-         "--size", [&view](const std::string& text) { set_size(text, view); },
-         "Pixels of the picture of each file (640x480)")
-      ->type_name("WxH");
-  app.add_option_function<std::string>(
-         "--up", [&view](const std::string& text) { set_up(text, view); },
-         "The axis that points up (z)")
-      ->type_name("x|y|z");
-  app.add_option("--azimuth", view.azimuth,
-                 "Degrees round the model: larger looks from further to the right (30)")
-      ->check(number_in(-360, 360, "a number from -360 to 360"));
-  app.add_option("--elevation", view.elevation, "Degrees above the horizon (25)")
-      ->check(number_in(-90, 90, "a number from -90 to 90"));
-  app.add_option("--zoom", view.zoom, "Enlargement; 1 fits the model into the picture")
-      ->check(number_in(0.001, 1000, "a number from 0.001 to 1000"));
+  add_camera_options(app, view);
   app.add_option("--edge-angle", view.edge_angle,
                  "Draw edges at which the surface turns by more than so many degrees (30)")
       ->check(number_in(0, 180, "a number from 0 to 180"));

@@ -113,6 +113,19 @@ Vec3 upright(Vec3 p, Up up) {
   return p;
 }
 
+// The other way round.
+Vec3 toppled(Vec3 p, Up up) {
+  if (up == Up::x) return {p.z, p.x, p.y};
+  if (up == Up::y) return {p.x, p.z, -p.y};
+  return p;
+}
+
+// The paint of a panel as a function of positions in the scene.
+Paint framed(const Paint& paint, const Frame& frame, Up up) {
+  if (!paint) return {};
+  return [=](Vec3 p) { return paint(frame.radius * toppled(p, up) + frame.centre); };
+}
+
 std::vector<Vec3> framed(const std::vector<Vec3>& points, const Frame& frame, Up up) {
   std::vector<Vec3> result;
   result.reserve(points.size());
@@ -160,14 +173,15 @@ void draw_caption(const std::string& text, int x, int y, int width, Image& image
   ink.lay(image, x, y, ink_colour);
 }
 
-void draw_panel(const Panel& panel, const Model& model, const Camera& camera, const View& view,
-                const Region& region, const Context& context, Image& image) {
+void draw_panel(const std::string& caption, const Model& model, const Paint& paint,
+                const Camera& camera, const View& view, const Region& region,
+                const Context& context, Image& image) {
   const RayScene scene(model);
-  shade(scene, camera, view.quality, region, context, image);
+  shade(scene, camera, view.quality, paint, region, context, image);
   throw_if_cancelled(context);
   draw_lines(model, scene, camera, view, region, context, image);
-  if (!panel.caption.empty())
-    draw_caption(panel.caption, region.x, region.y + region.height, region.width, image);
+  if (!caption.empty())
+    draw_caption(caption, region.x, region.y + region.height, region.width, image);
 }
 
 Image draw(const std::vector<Panel>& panels, const View& view, const Context& context) {
@@ -179,6 +193,7 @@ Image draw(const std::vector<Panel>& panels, const View& view, const Context& co
   };
 
   std::vector<Model> models;
+  std::vector<Paint> paints;
   std::vector<Vec3> shown;  // in all panels
   for (const Panel& panel : panels) {
     BoundingBox own;
@@ -186,6 +201,7 @@ Image draw(const std::vector<Panel>& panels, const View& view, const Context& co
     const Frame frame = (view.common_frame ? all : own).frame();
     models.push_back({framed(panel.mesh.vertices, frame, view.up), panel.mesh.triangles,
                       framed(panel.points, frame, view.up), 0});
+    paints.push_back(framed(panel.paint, frame, view.up));
     const std::vector<Vec3> points = shown_points(models.back());
     if (view.common_frame) shown.insert(shown.end(), points.begin(), points.end());
   }
@@ -202,7 +218,8 @@ Image draw(const std::vector<Panel>& panels, const View& view, const Context& co
     fit(view.common_frame ? shown : shown_points(model));
     model.ball_radius = view.point_size / 2 * camera.pixel_size();
     const Region region = {i % columns * view.width, i / columns * pitch, view.width, view.height};
-    draw_panel(panels[static_cast<std::size_t>(i)], model, camera, view, region, context, image);
+    const auto at = static_cast<std::size_t>(i);
+    draw_panel(panels[at].caption, model, paints[at], camera, view, region, context, image);
     if (context.progress) context.progress("render", (i + 1.0) / count);
   }
   return image;

@@ -37,6 +37,10 @@ std::uint8_t to_srgb(double linear) {
   return static_cast<std::uint8_t>(std::lround(255 * s));
 }
 
+double to_linear(double srgb) {
+  return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
+
 // `count` directions about +z, denser towards it by the cosine: a golden spiral.
 std::vector<Vec3> cosine_directions(int count) {
   std::vector<Vec3> directions;
@@ -50,8 +54,8 @@ std::vector<Vec3> cosine_directions(int count) {
 
 class Shader {
  public:
-  Shader(const RayScene& scene, const Camera& camera, const Quality& quality)
-      : scene_(scene), camera_(camera), samples_(quality.supersampling) {
+  Shader(const RayScene& scene, const Camera& camera, const Quality& quality, const Paint& paint)
+      : scene_(scene), camera_(camera), paint_(paint), samples_(quality.supersampling) {
     const int per_pixel = samples_ * samples_;
     rays_ = (quality.occlusion + per_pixel - 1) / per_pixel;
     directions_ = cosine_directions(rays_ * per_pixel);
@@ -81,7 +85,12 @@ class Shader {
       n = -1.0 * n;
       reflectance = back_reflectance;
     }
-    const double open = openness(ray.origin + hit->distance * ray.direction, n, k);
+    const Vec3 at = ray.origin + hit->distance * ray.direction;
+    if (paint_ && !hit->ball) {
+      const Colour c = paint_(at);
+      reflectance = {to_linear(c.red), to_linear(c.green), to_linear(c.blue)};
+    }
+    const double open = openness(at, n, k);
     const double direct =
         key * std::max(0.0, dot(n, key_light_)) + fill * std::max(0.0, dot(n, fill_light_));
     const double sky = 0.75 + 0.25 * n.z;  // a little more light from above
@@ -110,6 +119,7 @@ class Shader {
 
   const RayScene& scene_;
   const Camera& camera_;
+  const Paint& paint_;
   int samples_;
   int rays_ = 0;  // of occlusion, per sample
   std::vector<Vec3> directions_;
@@ -118,9 +128,9 @@ class Shader {
 
 }  // namespace
 
-void shade(const RayScene& scene, const Camera& camera, const Quality& quality,
+void shade(const RayScene& scene, const Camera& camera, const Quality& quality, const Paint& paint,
            const Region& region, const Context& context, Image& image) {
-  const Shader shader(scene, camera, quality);
+  const Shader shader(scene, camera, quality, paint);
   std::atomic<int> next_row = 0;
   const auto cancelled = [&] { return context.cancel != nullptr && *context.cancel; };
   const auto work = [&] {

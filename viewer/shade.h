@@ -2,6 +2,8 @@
 // occlusion.
 #pragma once
 
+#include <functional>
+
 #include "arris/context.h"
 #include "viewer/image.h"
 #include "viewer/ray_scene.h"
@@ -18,10 +20,14 @@ struct Region {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+// The colour of a surface at a position of the scene. Called from several threads.
+using Paint = std::function<Colour(Vec3)>;
+
 // Fills the region, the camera's pixel (0, 0) being its upper left corner. Surfaces seen from
 // behind are ochre, so that wrong orientation shows. Cost: pixels * (supersampling^2 + occlusion)
-// rays. Stops early if cancelled.
-void shade(const RayScene& scene, const Camera& camera, const Quality& quality,
+// rays. Triangles have the colour that `paint`, if not empty, gives them on either side. Stops
+// early if cancelled.
+void shade(const RayScene& scene, const Camera& camera, const Quality& quality, const Paint& paint,
            const Region& region, const Context& context, Image& image);
 
 }  // namespace arris::viewer

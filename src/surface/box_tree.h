@@ -1,10 +1,13 @@
 // A bounding volume hierarchy over the triangles of a mesh, in flat arrays.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "arris/types.h"
@@ -33,6 +36,20 @@ struct Box {
     for (std::size_t k = 0; k < 3; ++k)
       apart |= static_cast<int>(lo[k] > o.hi[k]) | static_cast<int>(o.lo[k] > hi[k]);
     return apart == 0;
+  }
+  // A lower bound of the squared distance from `p` to what was rounded into this box.
+  double squared_distance(Vec3 p) const {
+    constexpr double rounding = 0x1p-23;  // of a float, generously
+    const std::array<double, 3> q = {p.x, p.y, p.z};
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double l = static_cast<double>(lo[k]), h = static_cast<double>(hi[k]);
+      const double below = l - rounding * std::abs(l) - q[k];
+      const double above = q[k] - h - rounding * std::abs(h);
+      const double gap = std::max({below, above, 0.0});
+      sum += gap * gap;
+    }
+    return sum;
   }
 };
 
@@ -77,6 +94,44 @@ class BoxTree {
         stack[top++] = r.left();
       }
     }
+  }
+
+  struct Nearest {
+    std::size_t position = 0;
+    double squared_distance = std::numeric_limits<double>::infinity();
+  };
+
+  // The position whose squared_distance(position), in the unit of the points, is the least; the
+  // same for the same tree and query. `squared_distance` is asked only of triangles whose box
+  // leaves them a chance. The tree must not be empty.
+  template <class SquaredDistance>
+  Nearest nearest(Vec3 p, SquaredDistance&& squared_distance) const {
+    const Vec3 q = frame_.map(p);
+    const double scale = frame_.scale * frame_.scale;
+    struct Candidate {
+      Range range;
+      double bound;
+    };
+    std::array<Candidate, 2 * max_depth> stack;
+    std::size_t top = 0;
+    Nearest best;
+    stack[top++] = {{0, 0, boxes_.size()}, 0};
+    while (top > 0) {
+      const auto [r, bound] = stack[--top];
+      if (bound >= best.squared_distance * scale) continue;
+      if (r.end - r.begin <= leaf_size) {
+        for (std::size_t i = r.begin; i < r.end; ++i)
+          if (const double d = squared_distance(i); d < best.squared_distance) best = {i, d};
+        continue;
+      }
+      const Range left = r.left(), right = r.right();
+      Candidate near{left, nodes_[left.node].squared_distance(q)};
+      Candidate far{right, nodes_[right.node].squared_distance(q)};
+      if (far.bound < near.bound) std::swap(near, far);
+      stack[top++] = far;
+      stack[top++] = near;
+    }
+    return best;
   }
 
  private:
