@@ -18,7 +18,6 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-# pylint: disable=wrong-import-position
 from harness import methods, page, paper, process, quality, speed, summary, truth  # noqa: E402
 from harness.pictures import Pictures  # noqa: E402
 from harness.table import Table  # noqa: E402

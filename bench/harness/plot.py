@@ -2,8 +2,8 @@
 import math
 from html import escape
 
-WIDTH, HEIGHT = 460, 300
-LEFT, RIGHT, TOP, BOTTOM = 62, 150, 16, 44
+WIDTH, HEIGHT = 520, 300
+LEFT, RIGHT, TOP, BOTTOM = 62, 200, 16, 44
 COLOURS = ("#1b6ca8", "#c8553d", "#3a7d44", "#8e5572", "#c09a2b", "#55606e", "#00a6a6", "#b0413e",
            "#6a4c93", "#8ac926", "#1982c4", "#ff924c")
 
