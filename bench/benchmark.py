@@ -70,6 +70,8 @@ def parse(arguments):
     parser.add_argument("--memory", type=float, default=4, help="limit of a run, GiB (4)")
     parser.add_argument("--data", help="a folder with gt/MODEL.ply and clouds/MODEL__VARIANT.ply: "
                                        "one more quality suite")
+    parser.add_argument("--retry", action="store_true",
+                        help="run again what failed, for instance for the limit of time")
     parser.add_argument("--page", action="store_true", help="run nothing, write the page")
     return parser.parse_args(arguments)
 
@@ -96,11 +98,12 @@ def machine():
 class Benchmark:
     def __init__(self, options):
         self.options, self.preset = options, PRESETS[options.preset]
-        self.arris = os.path.abspath(os.path.join(options.build, "arris"))
+        options.build, options.out = map(os.path.abspath, (options.build, options.out))
+        self.arris = os.path.join(options.build, "arris")
         self.ours = methods.arris_methods(self.arris)
         self.peers, self.missing = [], []
         if not options.no_peers and self.preset["peer_seeds"]:
-            self.peers, self.missing = methods.find_peers(os.path.abspath(options.build))
+            self.peers, self.missing = methods.find_peers(options.build)
         self.limits = process.Limits(options.seconds, int(options.memory * process.GIB))
         self.truth = truth.Truth(self.arris, os.path.join(options.build, "bench-data"))
         self.suites = set(split(options.suites, ()))
@@ -117,7 +120,8 @@ class Benchmark:
         return Pictures(self.arris, os.path.join(self.options.out, "pictures", name))
 
     def table(self, name, module):
-        return Table(os.path.join(self.options.out, f"{name}.csv"), module.KEY, module.COLUMNS)
+        return Table(os.path.join(self.options.out, f"{name}.csv"), module.KEY, module.COLUMNS,
+                     self.options.retry)
 
     def paper_suite(self):
         return paper.Suite(self.arris, self.version, self.truth, self.table("paper", paper),
@@ -137,7 +141,7 @@ class Benchmark:
         cases = [truth.Case(m, v, s) for m in models for v in variants for s in seeds]
         yield "Quality", self.quality_suite("quality", self.truth, cases, variants), variants
         if self.options.data:
-            source = truth.SharedTruth(self.options.data)
+            source = truth.SharedTruth(os.path.abspath(self.options.data))
             cases = [c for c in source.cases() if not self.options.models or c.model in models]
             yield (f"Quality on {os.path.basename(os.path.normpath(self.options.data))}",
                    self.quality_suite("quality-data", source, cases, variants), variants)
@@ -150,7 +154,7 @@ class Benchmark:
         peer_sizes = [s for s in self.preset["peer_sizes"] if s in fit]
         seconds = max(self.options.seconds, 1800 if self.options.preset == "full" else 300)
         limits = process.Limits(seconds, memory_bytes())
-        program = os.path.abspath(os.path.join(self.options.build, "scaling_bench"))
+        program = os.path.join(self.options.build, "scaling_bench")
         return speed.Suite(program, self.chosen(self.peers), fit, peer_sizes,
                            self.table("speed", speed), limits)
 
@@ -163,24 +167,35 @@ class Benchmark:
                                              for m in self.peers})) or "none",
             "peers not found": ", ".join(self.missing) or "none"})
 
+    def failures(self, *tables):
+        """Rows of the arris at hand that are no sound mesh."""
+        return [row for table in tables for row in table.rows.values()
+                if row["version"] == self.version
+                and (row["status"] != "ok" or row.get("sound", "1") != "1")]
+
     def run(self):
+        """Runs what is to do and writes the page. Returns the failures of arris."""
+        tables = []
         running = not self.options.page
         digest = []  # the tables alone
         sections = [self.heading(), page.methods_section(self.ours + self.peers, self.missing)]
         if "paper" in self.suites:
             suite = self.paper_suite()
+            tables.append(suite.table)
             if running:
                 suite.run(say)
             sections.append(page.paper_section(suite, suite.pictures))
             digest += summary.paper_digest(suite)
         if "quality" in self.suites:
             for title, suite, variants in self.quality_suites():
+                tables.append(suite.table)
                 if running:
                     suite.run(self.options.jobs, say)
                 sections.append(page.quality_section(title, suite, variants, suite.pictures))
                 digest += summary.quality_digest(title, suite, variants)
         if "speed" in self.suites:
             suite = self.speed_suite()
+            tables.append(suite.table)
             if running:
                 suite.run(self.version, say)
             sections.append(page.speed_section(suite, self.version, machine()))
@@ -192,6 +207,7 @@ class Benchmark:
             file.writelines(f"## {title}\n\n{grid.markdown()}\n" for title, grid in digest
                             if grid.rows)
         say(f"page: {path}, {os.path.getsize(path) / 1e6:.1f} MB")
+        return self.failures(*tables)
 
 
 def say(text):
@@ -201,12 +217,16 @@ def say(text):
 def main():
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # of the peers; arris is told on its command line
+    options = parse(sys.argv[1:])
     try:
-        Benchmark(parse(sys.argv[1:])).run()
+        failures = Benchmark(options).run()
+        for row in failures:
+            say("arris failed: " + ", ".join(f"{k} {v}" for k, v in list(row.items())[:10] if v))
     except KeyboardInterrupt:
         say("benchmark: interrupted; the same command goes on from here")
         return 130
-    return 0
+    # A measurement may have failures in it; a check that the benchmark runs may not.
+    return 1 if failures and options.preset == "quick" else 0
 
 
 if __name__ == "__main__":

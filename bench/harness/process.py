@@ -85,7 +85,9 @@ def kill_group(group):
 
 
 def last_line(text):
+    """What a program says at its end; arris adds a remedy, which is no reason."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
+    lines = [line for line in lines if not line.startswith("remedy:")]
     return lines[-1][:REASON_LENGTH] if lines else ""
 
 

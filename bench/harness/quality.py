@@ -31,7 +31,7 @@ class Suite:
         """Pairs of case and method that have no row yet."""
         return [(case, method) for case in self.cases for method in self.methods
                 if (method.ours or case.seed <= self.peer_seeds)
-                and (case.name, method.name, method.version) not in self.table]
+                and not self.table.is_finished(case.name, method.name, method.version)]
 
     def run(self, jobs, say):
         tasks = self.tasks()

@@ -19,14 +19,14 @@ class Suite:
 
     def run(self, version, say):
         for size in self.sizes:
-            if (size, "arris", version, WHOLE) not in self.table:
+            if not self.table.is_finished(size, "arris", version, WHOLE):
                 for row in self.arris(size, version):
                     self.table.add(row)
                 say(f"speed: arris, {size} points, {row['status']} {row['reason']} "
                     f"{row.get('seconds') or 0:.1f} s")
         for size in self.peer_sizes:
             todo = [m for m in self.methods
-                    if (size, m.name, m.version, WHOLE) not in self.table]
+                    if not self.table.is_finished(size, m.name, m.version, WHOLE)]
             if todo:
                 self.peers(size, todo, say)
 

@@ -7,8 +7,10 @@ import os
 class Table:
     """Rows are dictionaries of text. A row is known by its key; the last row of a key counts."""
 
-    def __init__(self, path, key, columns):
+    def __init__(self, path, key, columns, retry=False):
+        """With `retry`, rows that are there but failed do not count as finished."""
         self.path, self.key, self.columns = path, tuple(key), list(columns)
+        self.retry = retry
         self.rows = {}
         if os.path.exists(path):
             self._read()
@@ -33,6 +35,10 @@ class Table:
 
     def _key(self, row):
         return tuple(str(row[k]) for k in self.key)
+
+    def is_finished(self, *key):
+        row = self.rows.get(tuple(str(k) for k in key))
+        return row is not None and not (self.retry and row["status"] != "ok")
 
     def __contains__(self, key):
         return tuple(str(k) for k in key) in self.rows

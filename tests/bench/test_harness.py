@@ -25,6 +25,8 @@ class Process(unittest.TestCase):
         outcome = process.run(python("import sys; sys.exit('first\\nthe reason')"))
         self.assertEqual((outcome.status, outcome.reason), ("failed", "the reason"))
         self.assertEqual(process.run(python("import os; os.abort()")).reason, "ended by SIGABRT")
+        remedy = "import sys; sys.exit('arris: no such file\\n  remedy: check the path')"
+        self.assertEqual(process.run(python(remedy)).reason, "arris: no such file")
         self.assertEqual(process.run(["/no/such/program"]).status, "failed")
 
     def test_time_ends_it_and_its_children(self):
@@ -55,6 +57,18 @@ class Tables(unittest.TestCase):
             again.add({"case": "c", "method": "x", "value": 2, "right": True})
             third = Table(path, ("case", "method"), ("case", "method", "value", "right"))
             self.assertEqual(len(third.rows), 3)
+
+    def test_failures_are_finished_unless_they_are_tried_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "rows.csv")
+            table = Table(path, ("case",), ("case", "status"))
+            table.add({"case": "a", "status": "ok"})
+            table.add({"case": "b", "status": "timeout"})
+            self.assertTrue(table.is_finished("a") and table.is_finished("b"))
+            self.assertFalse(table.is_finished("c"))
+            again = Table(path, ("case",), ("case", "status"), retry=True)
+            self.assertTrue(again.is_finished("a"))
+            self.assertFalse(again.is_finished("b"))
 
     def test_the_last_row_of_a_key_counts(self):
         with tempfile.TemporaryDirectory() as folder:
