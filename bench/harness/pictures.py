@@ -6,7 +6,7 @@ from harness import process, thumbnail
 
 LIMITS = process.Limits(seconds=120)
 AZIMUTH = ("--azimuth", "40")
-ERROR_SIZE = "200x170"  # of each of the two meshes, so that their captions fit
+ERROR_SIZE = "240x190"  # of each of the two meshes, so that their captions fit
 VIEW = ("--size", "132x116", "--samples", "2", "--occlusion", "0", *AZIMUTH)
 LARGE_VIEW = ("--size", "220x200", "--samples", "2", "--occlusion", "16", *AZIMUTH)
 
