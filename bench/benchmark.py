@@ -143,8 +143,9 @@ class Benchmark:
         if self.options.data:
             source = truth.SharedTruth(os.path.abspath(self.options.data))
             cases = [c for c in source.cases() if not self.options.models or c.model in models]
-            yield (f"Quality on {os.path.basename(os.path.normpath(self.options.data))}",
-                   self.quality_suite("quality-data", source, cases, variants), variants)
+            name = os.path.basename(source.folder)
+            yield (f"Quality on {name}",
+                   self.quality_suite(f"quality-{name}", source, cases, variants), variants)
 
     def speed_suite(self):
         sizes = [int(s) for s in split(self.options.sizes, self.preset["sizes"])]
