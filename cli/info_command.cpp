@@ -67,14 +67,23 @@ void print_positions(const std::vector<Vec3>& positions) {
   std::printf("  duplicates  %s\n", with_commas(count_duplicates(std::move(good))).c_str());
 }
 
-void print_attributes(const std::vector<Attribute>& attributes) {
+void print_attributes(const char* label, const std::vector<Attribute>& attributes) {
   for (const Attribute& attribute : attributes) {
     const auto [low, high] = std::minmax_element(attribute.values.begin(), attribute.values.end());
-    std::printf("  attribute   %s, %s", attribute.name.c_str(), name_of(attribute.type));
+    std::printf("  %s%s, %s", label, attribute.name.c_str(), name_of(attribute.type));
     if (low != attribute.values.end())
       std::printf(", %s .. %s", short_number(*low).c_str(), short_number(*high).c_str());
     std::printf("\n");
   }
+}
+
+// The sharp edges, if the mesh is sound enough to have any.
+void print_features(const Mesh& mesh, const Context& context) {
+  const auto network = find_features(mesh, context);
+  if (!network) return;
+  const FeatureCounts counts = count_features(*network);
+  std::printf("  features    %s, %s, %s\n", counted(counts.curves, "curve").c_str(),
+              counted(counts.corners, "corner").c_str(), counted(counts.patches, "patch").c_str());
 }
 
 bool has_extension(const std::string& path, const char* extension) {
@@ -90,18 +99,21 @@ int describe_mesh_only(const Arguments& arguments, const Context& context) {
   std::printf("%s: %s, %s\n", arguments.input.c_str(),
               counted(mesh->vertices.size(), "vertex").c_str(),
               counted(mesh->triangles.size(), "triangle").c_str());
+  print_features(*mesh, context);
   print_positions(mesh->vertices);
   return 0;
 }
 
-// Files that can hold faces are read a second time as a mesh, for the count.
-std::string faces_in(const Arguments& arguments, const Context& context) {
+// Files that can hold faces are read a second time as a mesh.
+void print_faces(const Arguments& arguments, const Context& context) {
   if (!has_extension(arguments.input, ".ply") && !has_extension(arguments.input, ".off") &&
       !has_extension(arguments.input, ".obj"))
-    return "";
+    return;
   const auto mesh = read_mesh(arguments.input, context);
-  if (!mesh) return "";
-  return mesh->triangles.empty() ? "" : with_commas(mesh->triangles.size());
+  if (!mesh || mesh->triangles.empty()) return;
+  std::printf("  triangles   %s\n", with_commas(mesh->triangles.size()).c_str());
+  print_features(*mesh, context);
+  print_attributes("of faces    ", mesh->face_attributes);
 }
 
 int run(const Arguments& arguments) {
@@ -113,10 +125,9 @@ int run(const Arguments& arguments) {
   const std::size_t points = cloud->positions.size();
   std::printf("%s: %s, %s positions\n", arguments.input.c_str(), counted(points, "point").c_str(),
               name_of(cloud->position_type));
-  const std::string triangles = faces_in(arguments, context);
-  if (!triangles.empty()) std::printf("  triangles   %s\n", triangles.c_str());
+  print_faces(arguments, context);
   print_positions(cloud->positions);
-  print_attributes(cloud->attributes);
+  print_attributes("attribute   ", cloud->attributes);
   std::printf("  memory      %s to reconstruct, at most\n",
               human_bytes(forecast_memory(points)).c_str());
   print_warnings(cloud->warnings);

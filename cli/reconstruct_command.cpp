@@ -18,7 +18,7 @@ namespace arris::cli {
 namespace {
 
 struct Arguments {
-  std::string input, mesh, tetrahedra, report;
+  std::string input, mesh, tetrahedra, features, report;
   Options options;
   RunOptions run;
   bool confidence = false;
@@ -36,8 +36,21 @@ Result<void> write_outputs(const Arguments& arguments, const Reconstruction& res
     if (auto done = write_tetrahedra(arguments.tetrahedra, result.volume, context); !done)
       return done;
   }
+  if (!arguments.features.empty())
+    if (auto done = write_features(arguments.features, result.mesh, result.features); !done)
+      return done;
   if (!arguments.report.empty()) return write_text(arguments.report, to_json(result.report) + "\n");
   return {};
+}
+
+// What is known of each face, as attributes.
+void add_face_attributes(Reconstruction& result) {
+  auto& attributes = result.mesh.face_attributes;
+  attributes.push_back(
+      {"support", ScalarType::f32, {result.support.begin(), result.support.end()}});
+  attributes.push_back({"filled", ScalarType::u8, {result.filled.begin(), result.filled.end()}});
+  const auto& patch = result.features.patch;
+  attributes.push_back({"patch", ScalarType::i32, {patch.begin(), patch.end()}});
 }
 
 // The seed confidence as one more attribute of the vertices, unless the input has one of that name.
@@ -53,6 +66,7 @@ int run(const Arguments& arguments) {
   const Result<void> outputs = check_outputs(
       arguments.input, {{"the mesh", arguments.mesh, {".ply", ".obj", ".off", ".stl"}},
                         {"the volume", arguments.tetrahedra, {".msh", ".vtk"}},
+                        {"the network of curves", arguments.features, {".ply", ".obj", ".json"}},
                         {"the report", arguments.report, {}}});
   if (!outputs) return report_error(outputs.error());
 
@@ -67,6 +81,7 @@ int run(const Arguments& arguments) {
   auto result = reconstruct(*cloud, arguments.options,
                             make_context(arguments.run, progress, read_end, reconstruct_end));
   if (!result) return fail(result.error());
+  add_face_attributes(*result);
   if (arguments.confidence) add_confidence(*result);
   const auto written = write_outputs(arguments, *result, progress);
   if (!written) return fail(written.error());
@@ -141,9 +156,15 @@ std::function<int()> declare_reconstruct(CLI::App& app) {
                  "Also write the interior tetrahedra: .msh (Gmsh) .vtk (ParaView)")
       ->check(not_empty())
       ->type_name("file");
+  app.add_option("--features", arguments->features,
+                 "Also write the sharp edges as curves, with corners: .ply .obj .json")
+      ->check(not_empty())
+      ->type_name("file");
   app.add_option("--report", arguments->report, "Also write a report, as JSON")
       ->check(not_empty())
       ->type_name("file");
+  app.add_flag("--trim", arguments->options.trim,
+               "Leave out the faces that no sample supports: the mesh is then open");
   app.add_flag("--confidence", arguments->confidence,
                "Write, per vertex of a .ply, what share of the evidence there agrees");
   add_method_options(app, arguments->options);

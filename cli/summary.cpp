@@ -48,10 +48,20 @@ void print_summary(const std::string& path, const Report& report, double seconds
               left_out(report).c_str());
   if (mesh.ok())
     std::printf("  certificate  closed, manifold, oriented, free of self-intersections\n");
+  else if (report.trimmed && mesh.sound())
+    std::printf("  certificate  open, manifold, oriented, free of self-intersections\n");
   else
     std::printf("  certificate  FAILED: %s\n", mesh.first_defect.c_str());
   std::printf("  evidence     %s %% contradicts the result\n",
               short_number(100 * report.contradiction).c_str());
+  std::printf("  features     %s, %s, %s\n", counted(report.features.curves, "curve").c_str(),
+              counted(report.features.corners, "corner").c_str(),
+              counted(report.features.patches, "patch").c_str());
+  if (report.filled_faces > 0)
+    std::printf("  %s      %s, %s %% of the area, close gaps in the samples\n",
+                report.trimmed ? "trimmed" : "filled ",
+                counted(report.filled_faces, "face").c_str(),
+                short_number(100 * report.filled_area).c_str());
   const std::uint64_t peak = report.stages.empty() ? 0 : report.stages.back().peak_memory;
   std::printf("  took         %s, %s at most\n", human_seconds(seconds).c_str(),
               human_bytes(peak).c_str());
@@ -69,6 +79,12 @@ void print_details(const Report& report) {
   count("swaps", report.swaps);
   count("manifold flips", report.manifold_flips);
   count("specks removed", report.specks);
+  count("filled faces", report.filled_faces);
+  line("filled share of area", short_number(report.filled_area));
+  count("closed curves", report.features.closed_curves);
+  count("convex curves", report.features.convex_curves);
+  count("concave curves", report.features.concave_curves);
+  count("curves that fade out", report.features.ends);
   energies("energy after cuts", report.cut_energy);
   energies("energy of swaps", report.swap_energy);
   line("threads", std::to_string(report.threads));
@@ -79,7 +95,10 @@ void print_details(const Report& report) {
 }
 
 void print_certificate(const std::string& path, const Certificate& c) {
-  std::printf("%s: %s\n", path.c_str(), c.ok() ? "certified" : "NOT certified");
+  std::printf("%s: %s\n", path.c_str(),
+              c.ok()                     ? "certified"
+              : c.sound() && !c.closed() ? "open, sound otherwise"
+                                         : "NOT certified");
   count("vertices", c.vertices);
   count("triangles", c.triangles);
   count("edges", c.edges);

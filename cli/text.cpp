@@ -27,8 +27,9 @@ std::string counted(std::uint64_t number, const char* one) {
   const std::string noun = one;
   if (number == 1) return "1 " + noun;
   const bool x_to_ces = noun.size() > 2 && noun.ends_with("ex");  // vertex, vertices
+  const char* const ending = noun.ends_with("ch") ? "es" : "s";   // patch, patches
   return with_commas(number) + " " +
-         (x_to_ces ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s");
+         (x_to_ces ? noun.substr(0, noun.size() - 2) + "ices" : noun + ending);
 }
 
 std::string human_bytes(std::uint64_t bytes) {

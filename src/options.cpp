@@ -39,6 +39,7 @@ Options resolve_options(Options options) {
   if (options.background < 0) options.background = paper ? paper_background : 0;
   if (options.curvature == Curvature::by_method)
     options.curvature = paper ? Curvature::cotangent : Curvature::polyhedral;
+  options.features = options.features && !paper;
   return options;
 }
 

@@ -1,4 +1,5 @@
-// The whole pipeline on one page: samples → tetrahedra → seeds → cut → swap → surface.
+// The whole pipeline on one page: samples → tetrahedra → seeds → cut → swap → features, cut again →
+// surface.
 #include "arris/reconstruct.h"
 
 #include <algorithm>
@@ -8,20 +9,16 @@
 #include "base/job.h"
 #include "base/vec.h"
 #include "cloud/prepare.h"
-#include "cut/facet_costs.h"
 #include "cut/level_set.h"
-#include "cut/manifold.h"
-#include "cut/specks.h"
 #include "cut/surface_cut.h"
+#include "describe.h"
 #include "forecast.h"
 #include "options.h"
 #include "output.h"
 #include "seed/seeds.h"
 #include "seed/transfer.h"
+#include "stage.h"
 #include "surface/certify.h"
-#include "surface/extract.h"
-#include "swap/flat.h"
-#include "swap/swap.h"
 #include "tetra/background.h"
 #include "tetra/delaunay.h"
 #include "tetra/geometry.h"
@@ -31,18 +28,10 @@ namespace {
 
 // Shares of the whole time, for the progress bar; measured at a million points.
 struct Shares {
-  double samples, delaunay, seeds, background, cut, swap, check;
+  double samples, delaunay, seeds, background, cut, swap, features, check;
 };
-constexpr Shares automatic_shares = {0.01, 0.31, 0.12, 0, 0.08, 0.42, 0.06};
-constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0.05};
-
-// A tetrahedral mesh of the samples, what is known of its tetrahedra, and the energy to minimize.
-struct Stage {
-  TetMesh mesh;
-  Stars stars;
-  Seeds seeds;
-  EnergyModel model;
-};
+constexpr Shares automatic_shares = {0.01, 0.12, 0.04, 0, 0.03, 0.17, 0.43, 0.03};
+constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0, 0.05};
 
 Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job) {
   Stage stage;
@@ -50,23 +39,12 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   stage.mesh = delaunay(samples.points, samples.points.size(), job);
   job.stage("seeds", shares.seeds);
   stage.stars = Stars(stage.mesh);
-  stage.model = {options.lambda, options.curvature,
-                 sample_spacing(stage.mesh, stage.stars, job.threads())};
+  stage.model.lambda = options.lambda;
+  stage.model.curvature = options.curvature;
+  stage.model.spacing = sample_spacing(stage.mesh, stage.stars, job.threads());
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
-}
-
-// Cut, and the manifold next to it, without specks.
-SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
-                        Job& job) {
-  SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
-  report.manifold_flips += make_manifold(
-      stage.mesh, stage.stars,
-      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
-      cut.labels, job);
-  report.specks = remove_specks(stage.mesh, stage.model.spacing, cut.labels);
-  return cut;
 }
 
 // Delaunay of samples and background points, with the seeds of the samples alone (paper, section
@@ -107,14 +85,23 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
   return labels;
 }
 
-void run_swaps(const Stage& stage, double share, Labels& labels, Report& report, Job& job) {
-  job.stage("swap", share);
-  SwapOptions options;
-  options.keep_samples = report.options.keep_samples;
-  options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
-  SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
-  report.swap_energy = std::move(swaps.energy);
-  report.swaps = swaps.accepted;
+// Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
+// and the surface is cut anew, until there is nothing to add. The rounds between the first and the
+// last surface go without swaps.
+void sharpen(Stage& stage, std::size_t samples, double share, Labels& labels, Report& report,
+             Job& job) {
+  constexpr int rounds = 2;
+  std::vector<FeaturePoint> features;
+  for (int round = 1; round <= rounds; ++round) {
+    job.stage("features " + std::to_string(round), share / rounds);
+    Stage next = add_features(stage, labels, samples, features, job);
+    if (next.mesh.points.empty()) break;
+    stage = std::move(next);
+    SurfaceCut cut = cut_manifold(stage, {}, report, job);
+    report.cut_energy.push_back(cut.energy);
+    labels = std::move(cut.labels);
+  }
+  report.feature_points = features.size();
 }
 
 void require_attributes(const PointCloud& cloud) {
@@ -147,7 +134,14 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   if (options.background > 0) stage = add_background(stage, samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   require_inside(labels);
-  if (options.swap) run_swaps(stage, shares.swap, labels, report, job);
+  job.stage("swap", shares.swap);
+  if (options.swap) run_swaps(stage, labels, report, job);
+  if (options.features) {
+    sharpen(stage, samples.points.size(), shares.features, labels, report, job);
+    job.stage("swap again", shares.swap);
+    if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);
+    stage.mesh.samples = samples.points.size();
+  }
 
   job.stage("check", shares.check);
   fill_counts(cloud, samples, stage.mesh, stage.model.spacing, stage.seeds, report);
@@ -161,6 +155,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     throw Failure(ErrorCode::certificate,
                   "the mesh failed its check: " + report.certificate.first_defect,
                   "please report it with the input");
+  describe_surface(samples, stage.model.spacing, result, job);
   job.finish();
   report.threads = job.threads();
   report.stages = job.stages();

@@ -17,7 +17,7 @@ struct Panel {
   Mesh mesh;
   std::vector<Vec3> points;
   std::string caption;  // printable ASCII; anything else appears as question marks
-  Paint paint;          // colour of the mesh at a position of its own; if empty, as always
+  Paint paint{};        // colour of the mesh at a position of its own; if empty, as always
 };
 
 enum class Up { x, y, z };

@@ -109,7 +109,7 @@ void add_notes(Comparison& c) {
   if (c.features.length_truth == 0)
     c.notes.emplace_back(
         "the truth has no sharp edges at this threshold: their recall is undefined");
-  if (c.ndc.points_truth == 0)
+  if (c.ndc.points_truth == 0 && c.ndc.edge.f1 == 1)
     c.notes.emplace_back(
         "the truth has no edge points in the sense of NDC, which counts as EF1 = 1");
 }
@@ -131,7 +131,7 @@ Comparison compare_all(const Mesh& result, const Mesh& truth, const CompareOptio
   compare_distances(r, t, options, job, c);
   job.stage("edges", 0.1);
   compare_features(r, t, options, job, c);
-  c.ndc = ndc_edges(r, t, options, job);
+  if (options.ndc) c.ndc = ndc_edges(r, t, options, job);
   compare_topology(c);
   job.stage("volume", 0.1);
   if (c.result.odd_edges == 0 && c.truth.odd_edges == 0)

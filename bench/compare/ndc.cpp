@@ -93,6 +93,7 @@ NdcScore ndc_edges(const Surface& result, const Surface& truth, const CompareOpt
   s.points_truth = of_truth.at.size();
   if (of_truth.at.empty()) {  // the published evaluation counts this as right
     s.edge.f1 = 1;
+    s.chamfer = 0;
     return s;
   }
   if (of_result.at.empty()) of_result.add({});  // and puts a point at the centre here

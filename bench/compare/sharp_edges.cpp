@@ -18,7 +18,7 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr double thinnest = 1e-6;
 
 // A right angle between faces whose corners were rounded still counts at a threshold of 90.
-constexpr double angle_slack = 0.05;  // degrees
+constexpr double angle_slack = 0.01;  // degrees
 
 // Two sharp edges that turn by more than this make a corner, as does the tip of a cone whose angle
 // defect is larger than a right angle.

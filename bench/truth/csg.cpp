@@ -116,6 +116,7 @@ bool acceptable(const Mesh& before, const Mesh& after, Thickness& thickness) {
   const double change = std::abs(volume(after) - volume(before));
   if (change < least_change * std::max(volume(before), volume(after))) return false;
   const double diagonal = bounds_of(after.vertices).diagonal();
+  if (has_thin_spots(after, thinnest_part * diagonal)) return false;
   thickness = measure_thickness(after);
   return thickness.thinnest() >= thinnest_part * diagonal;
 }

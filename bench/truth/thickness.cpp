@@ -22,6 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 constexpr double across = 4;         // spacings across the thinnest part
 constexpr double per_diagonal = 50;  // and across the diagonal, at least
+constexpr double edge_step = 0.02;   // of the points tried for clearance, of the diagonal
 constexpr double detail_angle = 30 * pi / 180;
 
 struct Hit {
@@ -154,13 +155,17 @@ double Thickness::thinnest() const {
 
 Thickness measure_thickness(const Mesh& mesh) {
   constexpr std::size_t rays = 4000;
-  // Nothing farther apart matters to dense_samples.
-  constexpr double reach = across / per_diagonal, step = 0.02;  // of the diagonal
+  constexpr double reach = across / per_diagonal;  // nothing beyond matters to dense_samples
   const double diagonal = bounds_of(mesh.vertices).diagonal();
   const Samples samples = sample(mesh, {Mode::uniform, rays, 1});
   const RayCaster caster(mesh);
   return {thin_quantile(caster, samples, -1), thin_quantile(caster, samples, 1),
-          smallest_detail(mesh), measure_clearance(mesh, reach * diagonal, step * diagonal)};
+          smallest_detail(mesh), measure_clearance(mesh, reach * diagonal, edge_step * diagonal)};
+}
+
+bool has_thin_spots(const Mesh& mesh, double length) {
+  const double step = edge_step * bounds_of(mesh.vertices).diagonal();
+  return smallest_detail(mesh) < length || measure_clearance(mesh, length, step) < length;
 }
 
 std::size_t dense_samples(const Mesh& mesh, const Thickness& thickness) {

@@ -28,6 +28,10 @@ struct Thickness {
 // must be closed and oriented outwards. O(n log n), and short rays are cheap.
 Thickness measure_thickness(const Mesh& mesh);
 
+// Whether detail or clearance is less than `length`, which may be 8 % of the diagonal at most:
+// quick to say so.
+bool has_thin_spots(const Mesh& mesh, double length);
+
 // The number of samples whose spacing is a quarter of the thinnest part, and at most a fiftieth of
 // the diagonal: that many points `blue` are dense enough to tell both sides of every part apart.
 std::size_t dense_samples(const Mesh& mesh, const Thickness& thickness);

@@ -10,6 +10,7 @@
 #include "arris/check.h"
 #include "arris/context.h"
 #include "arris/error.h"
+#include "arris/features.h"
 #include "arris/io.h"
 #include "arris/options.h"
 #include "arris/reconstruct.h"

@@ -33,12 +33,14 @@ struct Certificate {
   bool manifold() const noexcept { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
   bool oriented() const noexcept { return misoriented_edges == 0 && inward_components == 0; }
 
-  // All promises hold.
-  bool ok() const noexcept {
-    return triangles > 0 && invalid_indices == 0 && non_finite_vertices == 0 && closed() &&
-           manifold() && oriented() && degenerate_triangles == 0 && intersecting_pairs == 0 &&
-           volume > 0;
+  // All promises hold that make sense for a surface with a boundary, such as a trimmed mesh.
+  bool sound() const noexcept {
+    return triangles > 0 && invalid_indices == 0 && non_finite_vertices == 0 && manifold() &&
+           oriented() && degenerate_triangles == 0 && intersecting_pairs == 0;
   }
+
+  // All promises hold.
+  bool ok() const noexcept { return sound() && closed() && volume > 0; }
 
   // The first defect with an example ("edge 12-17 has 3 triangles"), or empty.
   std::string first_defect;

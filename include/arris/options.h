@@ -42,8 +42,14 @@ struct Options {
   // area nearly all of them: the comparison of the paper's figure 6.
   bool keep_samples = true;
 
+  // Add points on edges and corners that no sample lies on. Off in the paper's method.
+  bool features = true;
+
   // Also return the interior tetrahedra.
   bool tetrahedra = false;
+
+  // Return the open mesh without the filled faces (Reconstruction::filled).
+  bool trim = false;
 
   NonFinite non_finite = NonFinite::refuse;
 };

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "arris/context.h"
 #include "arris/error.h"
+#include "arris/features.h"
 #include "arris/options.h"
 #include "arris/report.h"
 #include "arris/types.h"
@@ -13,9 +15,12 @@
 namespace arris {
 
 struct Reconstruction {
-  Mesh mesh;                      // certified: see Report::certificate
-  TetVolume volume;               // empty unless Options::tetrahedra
-  std::vector<float> confidence;  // per mesh vertex, [0, 1]: share of agreeing seed evidence
+  Mesh mesh;                         // certified: see Report::certificate; open if Options::trim
+  TetVolume volume;                  // empty unless Options::tetrahedra
+  std::vector<float> confidence;     // per mesh vertex, [0, 1]: share of agreeing seed evidence
+  std::vector<float> support;        // per triangle, (0, 1]: spacing / distance to the samples
+  std::vector<std::uint8_t> filled;  // per triangle: 1 if it closes a gap that no sample supports
+  FeatureNetwork features;           // of the mesh: sharp edges, corners, smooth patches
   Report report;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arris/check.h"
+#include "arris/features.h"
 #include "arris/options.h"
 #include "arris/types.h"
 
@@ -17,6 +18,16 @@ struct StageReport {
   std::uint64_t peak_memory = 0;  // bytes resident at most, of the process, up to its end
 };
 
+// What is in a FeatureNetwork.
+struct FeatureCounts {
+  std::uint64_t curves = 0, closed_curves = 0, convex_curves = 0, concave_curves = 0;
+  std::uint64_t corners = 0;  // where two or more curves meet
+  std::uint64_t ends = 0;     // where one fades out
+  std::uint64_t patches = 0;
+  double length = 0;  // of all curves, user's unit
+};
+FeatureCounts count_features(const FeatureNetwork& network);
+
 struct Report {
   Options options;  // as used: defaults of the method filled in
   unsigned threads = 0;
@@ -26,6 +37,7 @@ struct Report {
   std::uint64_t background_points = 0;
   std::uint64_t tetrahedra = 0;       // finite
   std::uint64_t free_tetrahedra = 0;  // decided by the cut, not by seeds
+  std::uint64_t feature_points = 0;   // added on edges and corners that no sample lies on
   std::uint64_t surface_samples = 0;  // samples that are vertices of the mesh
   Vec3 shift;                         // local frame = (user - shift) * scale, exactly
   double scale = 1;
@@ -41,6 +53,11 @@ struct Report {
   std::uint64_t manifold_flips = 0;  // tetrahedra relabelled to make the surface a 2-manifold
 
   std::uint64_t specks = 0;  // parts and voids too small to be meant, removed
+
+  std::uint64_t filled_faces = 0;  // that no sample supports: Reconstruction::filled
+  double filled_area = 0;          // their share of the area of the closed mesh, in [0, 1]
+  bool trimmed = false;            // the mesh is open: the filled faces were taken away
+  FeatureCounts features;
 
   std::vector<StageReport> stages;
   Certificate certificate;

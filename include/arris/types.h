@@ -42,13 +42,14 @@ struct PointCloud {
   std::vector<std::string> warnings;  // what the reader left behind, e.g. list properties
 };
 
-// A triangle mesh. `source[v]` is the index of the input point at vertex v, or no_index for a
-// vertex that arris added; it is empty for a mesh that was read from a file. Attribute values of
-// added vertices are 0.
+// A triangle mesh. Attributes are per vertex, those of `face_attributes` per triangle. `source[v]`
+// is the index of the input point at vertex v, or no_index for a vertex that arris added; it is
+// empty for a mesh that was read from a file. Attribute values of added vertices are 0.
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
   std::vector<Attribute> attributes;
+  std::vector<Attribute> face_attributes;
   std::vector<Index> source;
   ScalarType position_type = ScalarType::f64;
 };

@@ -1,4 +1,5 @@
-// read_mesh, write_mesh, write_tetrahedra and write_text: which extension means which format.
+// read_mesh, write_mesh, write_tetrahedra, write_features and write_text: which extension means
+// which format.
 #include "arris/io.h"
 #include "base/failure.h"
 #include "io/atomic_file.h"
@@ -39,6 +40,14 @@ VolumeWriter volume_writer(const std::string& extension) {
   return nullptr;
 }
 
+using NetworkWriter = void (*)(AtomicFile&, const Mesh&, const FeatureNetwork&, Job&);
+NetworkWriter network_writer(const std::string& extension) {
+  if (extension == ".ply") return write_network_ply;
+  if (extension == ".obj") return write_network_obj;
+  if (extension == ".json") return write_network_json;
+  return nullptr;
+}
+
 template <class Writer, class Data>
 void write(const std::string& path, const Context& context, Writer writer, const Data& data) {
   Job job(context);
@@ -70,6 +79,7 @@ Result<Mesh> read_mesh(const std::string& path, const Context& context) {
     mesh.vertices = std::move(shape.positions);
     mesh.triangles = std::move(shape.triangles);
     mesh.attributes = std::move(shape.attributes);
+    mesh.face_attributes = std::move(shape.face_attributes);
     mesh.position_type = shape.position_type;
     job.finish();
     return mesh;
@@ -92,6 +102,18 @@ Result<void> write_tetrahedra(const std::string& path, const TetVolume& volume,
     if (!writer) refuse(path, "tetrahedra are not written to files", "use .msh or .vtk");
     require_consistent(path, volume);
     write(path, context, writer, volume);
+  });
+}
+
+Result<void> write_features(const std::string& path, const Mesh& mesh,
+                            const FeatureNetwork& network, const Context& context) {
+  return guarded([&] {
+    const NetworkWriter writer = network_writer(extension_of(path));
+    if (!writer) refuse(path, "feature curves are not written to files", "use .ply .obj or .json");
+    require_consistent(path, mesh, network);
+    const auto write_on_mesh = [mesh = &mesh, writer](AtomicFile& file, const FeatureNetwork& data,
+                                                      Job& job) { writer(file, *mesh, data, job); };
+    write(path, context, write_on_mesh, network);
   });
 }
 

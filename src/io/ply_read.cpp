@@ -69,20 +69,53 @@ bool is_corner_list(const PlyProperty& p) {
   return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
 }
 
+// The scalar properties of the faces become attributes, as long as every face is a triangle:
+// polygons are cut, and one with many corners and properties would take memory in proportion to the
+// product of both.
+class FaceAttributes {
+ public:
+  FaceAttributes(const PlyElement& element, Shape& shape) : shape_(shape) {
+    for (const PlyProperty& p : element.properties)
+      if (!p.is_list) shape.face_attributes.push_back({p.name, p.type, {}});
+    for (Attribute& a : shape.face_attributes) a.values.reserve(element.count);
+  }
+  // The next value of the current face.
+  void take(double value) {
+    if (next_ < shape_.face_attributes.size())
+      shape_.face_attributes[next_++].values.push_back(value);
+  }
+  // After the row of the face whose number, from 0, is `row`.
+  void end_face(std::uint64_t row) {
+    next_ = 0;
+    if (shape_.triangles.size() != row + 1) shape_.face_attributes.clear();
+  }
+
+ private:
+  Shape& shape_;
+  std::size_t next_ = 0;
+};
+
 template <class Body>
-void read_faces(Body& body, const Source& source, const PlyElement& element, FaceBuilder& faces) {
+void read_faces(Body& body, const Source& source, const PlyElement& element, FaceBuilder& faces,
+                Shape& shape) {
   const auto lists =
       std::count_if(element.properties.begin(), element.properties.end(), is_corner_list);
   if (lists != 1)
     malformed(source, "element face", "needs one list vertex_indices or vertex_index",
               "export the file with the faces as lists of vertex indices");
   body.require(element);
-  require_memory(source, "faces", element.count, sizeof(Triangle));
+  require_memory(source, "faces", element.count,
+                 sizeof(Triangle) + sizeof(double) * element.properties.size());
+  FaceAttributes attributes(element, shape);
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (row % rows_between_ticks == 0) source.job.tick(body.fraction());
     body.begin_row(element, row);
     for (const PlyProperty& p : element.properties) {
-      const std::uint64_t size = p.is_list ? body.list_size(p.count_type) : 1;
+      if (!p.is_list) {
+        attributes.take(body.scalar(p.type));
+        continue;
+      }
+      const std::uint64_t size = body.list_size(p.count_type);
       if (!is_corner_list(p)) {
         body.skip(p.type, size);
         continue;
@@ -91,6 +124,7 @@ void read_faces(Body& body, const Source& source, const PlyElement& element, Fac
       for (std::uint64_t k = 0; k < size; ++k) faces.corner(body.scalar(p.type));
       faces.end();
     }
+    attributes.end_face(row);
     body.end_row();
   }
 }
@@ -106,7 +140,7 @@ Shape read_body(Body body, const Source& source, const PlyHeader& header, Want w
       read_vertices(body, source, element, shape);
       wants_vertices = false;
     } else if (element.name == "face" && want == Want::mesh) {
-      read_faces(body, source, element, faces);
+      read_faces(body, source, element, faces, shape);
       wants_faces = false;
     } else {
       if (wants_vertices || wants_faces)

@@ -9,9 +9,11 @@
 namespace arris {
 namespace {
 
-// Names that PLY can hold: no blanks, nothing unprintable, none of x y z, none twice.
-std::vector<std::string> unique_names(const std::vector<Attribute>& attributes) {
-  std::vector<std::string> names = {"x", "y", "z"};
+// Names that PLY can hold: no blanks, nothing unprintable, none of `names`, which mean
+// something else, none twice.
+std::vector<std::string> unique_names(const std::vector<Attribute>& attributes,
+                                      std::vector<std::string> names) {
+  const auto reserved = static_cast<std::ptrdiff_t>(names.size());
   for (const Attribute& a : attributes) {
     std::string name = a.name.empty() ? "attribute" : a.name;
     for (char& c : name)
@@ -19,7 +21,7 @@ std::vector<std::string> unique_names(const std::vector<Attribute>& attributes) 
     while (std::find(names.begin(), names.end(), name) != names.end()) name += '_';
     names.push_back(std::move(name));
   }
-  names.erase(names.begin(), names.begin() + 3);
+  names.erase(names.begin(), names.begin() + reserved);
   return names;
 }
 
@@ -63,11 +65,15 @@ void write_header(AtomicFile& file, const Mesh& mesh, ScalarType position, Scala
   file.text("ply\nformat binary_little_endian 1.0\ncomment arris " ARRIS_VERSION "\n");
   file.text("element vertex " + std::to_string(mesh.vertices.size()) + "\n");
   for (const char* axis : {"x", "y", "z"}) property(ply_name(position), axis);
-  const std::vector<std::string> names = unique_names(mesh.attributes);
+  const std::vector<std::string> names = unique_names(mesh.attributes, {"x", "y", "z"});
   for (std::size_t k = 0; k < names.size(); ++k)
     property(ply_name(mesh.attributes[k].type), names[k]);
   file.text("element face " + std::to_string(mesh.triangles.size()) + "\n");
   property(std::string("list uchar ") + ply_name(index), "vertex_indices");
+  const std::vector<std::string> face_names =
+      unique_names(mesh.face_attributes, {"vertex_indices", "vertex_index"});
+  for (std::size_t k = 0; k < face_names.size(); ++k)
+    property(ply_name(mesh.face_attributes[k].type), face_names[k]);
   file.text("end_header\n");
 }
 
@@ -92,6 +98,7 @@ void write_ply(AtomicFile& file, const Mesh& mesh, Job& job) {
     tick_face(t);
     file.binary(std::uint8_t{3});
     for (const Index v : mesh.triangles[t]) file.binary(v);  // below 2^31, int and uint are one
+    for (const Attribute& a : mesh.face_attributes) write_scalar(file, a.type, a.values[t]);
   }
 }
 

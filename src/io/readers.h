@@ -10,12 +10,13 @@
 
 namespace arris {
 
-// All that a file can hold. Attributes are per vertex.
+// All that a file can hold. Attributes are per vertex, those of `face_attributes` per triangle.
 struct Shape {
   std::vector<Vec3> positions;
   std::vector<Attribute> attributes;
   ScalarType position_type = ScalarType::f64;
   std::vector<Triangle> triangles;
+  std::vector<Attribute> face_attributes;
   std::vector<std::string> warnings;  // what was left behind
 };
 

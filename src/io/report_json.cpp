@@ -1,4 +1,4 @@
-// The report as JSON. The only place that knows the JSON library.
+// The report as JSON. Of the library only src/io knows JSON.
 #include <nlohmann/json.hpp>
 
 #include "arris/report.h"
@@ -52,11 +52,13 @@ Json to_object(const Options& o) {
           {"swap", o.swap},
           {"keep_samples", o.keep_samples},
           {"tetrahedra", o.tetrahedra},
+          {"trim", o.trim},
           {"non_finite", text(o.non_finite)}};
 }
 
 Json to_object(const Certificate& c) {
   return {{"ok", c.ok()},
+          {"sound", c.sound()},
           {"closed", c.closed()},
           {"manifold", c.manifold()},
           {"oriented", c.oriented()},
@@ -78,6 +80,17 @@ Json to_object(const Certificate& c) {
           {"volume", c.volume},
           {"area", c.area},
           {"first_defect", c.first_defect}};
+}
+
+Json to_object(const FeatureCounts& f) {
+  return {{"curves", f.curves},
+          {"closed_curves", f.closed_curves},
+          {"convex_curves", f.convex_curves},
+          {"concave_curves", f.concave_curves},
+          {"corners", f.corners},
+          {"ends", f.ends},
+          {"patches", f.patches},
+          {"length", f.length}};
 }
 
 Json to_array(const std::vector<StageReport>& stages) {
@@ -110,6 +123,10 @@ std::string to_json(const Report& r) {
                      {"swaps", r.swaps},
                      {"manifold_flips", r.manifold_flips},
                      {"specks", r.specks},
+                     {"filled_faces", r.filled_faces},
+                     {"filled_area", r.filled_area},
+                     {"trimmed", r.trimmed},
+                     {"features", to_object(r.features)},
                      {"stages", to_array(r.stages)},
                      {"certificate", to_object(r.certificate)},
                      {"warnings", r.warnings}};

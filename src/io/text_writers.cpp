@@ -1,6 +1,8 @@
 // Writers of text formats, and what all writers share.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/failure.h"
 #include "io/writers.h"
@@ -22,6 +24,17 @@ void require_corners(const std::string& path, const std::vector<std::array<Index
                       remedy_inconsistent);
 }
 
+void require_values(const std::string& path, const std::vector<Attribute>& attributes,
+                    std::size_t count, const char* things) {
+  for (const Attribute& a : attributes)
+    if (a.values.size() != count)
+      throw Failure(ErrorCode::usage,
+                    "'" + path + "': attribute '" + a.name + "' has " +
+                        std::to_string(a.values.size()) + " values for " + std::to_string(count) +
+                        " " + things,
+                    remedy_inconsistent);
+}
+
 // The three colours, if the mesh has them as bytes; otherwise nulls.
 std::array<const Attribute*, 3> byte_colours(const Mesh& mesh) {
   std::array<const Attribute*, 3> colours{};
@@ -32,6 +45,13 @@ std::array<const Attribute*, 3> byte_colours(const Mesh& mesh) {
     if (a.name == "blue") colours[2] = &a;
   }
   return colours[0] && colours[1] && colours[2] ? colours : std::array<const Attribute*, 3>{};
+}
+
+// The numbers of the smooth patches, if the faces have them.
+const Attribute* patch_of_faces(const Mesh& mesh) {
+  for (const Attribute& a : mesh.face_attributes)
+    if (a.name == "patch" && a.type == ScalarType::i32) return &a;
+  return nullptr;
 }
 
 // One line: `prefix`, then the indices plus `base`, each after a blank.
@@ -49,13 +69,8 @@ void write_cell(AtomicFile& file, std::string_view prefix, const std::array<Inde
 }  // namespace
 
 void require_consistent(const std::string& path, const Mesh& mesh) {
-  for (const Attribute& a : mesh.attributes)
-    if (a.values.size() != mesh.vertices.size())
-      throw Failure(ErrorCode::usage,
-                    "'" + path + "': attribute '" + a.name + "' has " +
-                        std::to_string(a.values.size()) + " values for " +
-                        std::to_string(mesh.vertices.size()) + " vertices",
-                    remedy_inconsistent);
+  require_values(path, mesh.attributes, mesh.vertices.size(), "vertices");
+  require_values(path, mesh.face_attributes, mesh.triangles.size(), "triangles");
   require_corners(path, mesh.triangles, mesh.vertices.size());
 }
 
@@ -116,10 +131,22 @@ void write_obj(AtomicFile& file, const Mesh& mesh, Job& job) {
     }
     file.text("\n");
   }
-  Ticker tick_face(job, 0.5, 1, mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    tick_face(t);
-    write_cell(file, "f", mesh.triangles[t], 1);
+  const Attribute* const patch = patch_of_faces(mesh);
+  std::vector<std::size_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (patch)
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return patch->values[a] < patch->values[b];
+    });
+  Ticker tick_face(job, 0.5, 1, order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    tick_face(k);
+    if (patch && (k == 0 || patch->values[order[k]] != patch->values[order[k - 1]])) {
+      file.text("g patch_");
+      file.number(patch->values[order[k]]);
+      file.text("\n");
+    }
+    write_cell(file, "f", mesh.triangles[order[k]], 1);
   }
 }
 

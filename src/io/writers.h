@@ -3,23 +3,26 @@
 
 #include <string>
 
+#include "arris/features.h"
 #include "arris/types.h"
 #include "base/job.h"
 #include "io/atomic_file.h"
 
 namespace arris {
 
-// Throw usage if an index or the length of an attribute does not fit the vertices. All writers
-// need that to hold; they throw unwritable or cancelled.
+// Throw usage if an index or the length of an attribute does not fit the vertices or triangles. All
+// writers need that to hold; they throw unwritable or cancelled.
 void require_consistent(const std::string& path, const Mesh& mesh);
 void require_consistent(const std::string& path, const TetVolume& volume);
+void require_consistent(const std::string& path, const Mesh& mesh, const FeatureNetwork& network);
 
 // Binary, little endian. All attributes, each in its own type: values are rounded to it and cut
 // off at its ends. Blanks in names become underscores, and a name already taken gets one more.
 void write_ply(AtomicFile& file, const Mesh& mesh, Job& job);
 // No attributes.
 void write_off(AtomicFile& file, const Mesh& mesh, Job& job);
-// Of the attributes, red, green and blue if all are u8, as vertex colours in [0, 1].
+// Of the attributes, red, green and blue if all are u8, as vertex colours in [0, 1]. Faces are
+// written group by group if they have an i32 attribute "patch".
 void write_obj(AtomicFile& file, const Mesh& mesh, Job& job);
 // No attributes. Unit normals, 0 for a triangle without area. Binary if every coordinate is a
 // float32 value.
@@ -28,6 +31,13 @@ void write_stl(AtomicFile& file, const Mesh& mesh, Job& job);
 void write_msh(AtomicFile& file, const TetVolume& volume, Job& job);
 // VTK legacy ascii, an unstructured grid.
 void write_vtk(AtomicFile& file, const TetVolume& volume, Job& job);
+
+// Feature curves over the vertices that they use, Binary PLY with an
+// element edge; OBJ with a group and a polyline per curve; JSON.
+void write_network_ply(AtomicFile& file, const Mesh& mesh, const FeatureNetwork& network, Job& job);
+void write_network_obj(AtomicFile& file, const Mesh& mesh, const FeatureNetwork& network, Job& job);
+void write_network_json(AtomicFile& file, const Mesh& mesh, const FeatureNetwork& network,
+                        Job& job);
 
 // "x y z" with the shortest digits that read back the same.
 void write_position(AtomicFile& file, Vec3 p);

@@ -9,11 +9,6 @@
 namespace arris {
 namespace {
 
-// Balls larger than this many spacings reach well away from the sampling noise of the surface, so
-// their label is firm; the cut may overrule that of smaller ones. Three spacings, the thinnest wall
-// to be kept, have balls of 1.5.
-constexpr double firm_radius = 1.5;
-
 // A vote by number: 4 t + i for the facet, 4 * finite + v for the poles of sample v.
 struct Ballot {
   const TetMesh& mesh;

@@ -18,6 +18,11 @@ inline constexpr Seed seed_outside = 0;
 inline constexpr Seed seed_inside = 1;
 inline constexpr Seed seed_free = 2;
 
+// Balls larger than this many spacings reach well away from the sampling noise of the surface, so
+// their label is firm; the cut may overrule that of smaller ones. Three spacings, the thinnest wall
+// to be kept, have balls of 1.5.
+inline constexpr double firm_radius = 1.5;
+
 struct Seeds {
   std::vector<Seed> label;         // per finite tetrahedron; seed_free where no vote reached
   std::vector<std::uint8_t> firm;  // 1: the cut must keep the label; 0: it may overrule it

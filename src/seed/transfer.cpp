@@ -1,5 +1,6 @@
 #include "seed/transfer.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/parallel.h"
@@ -42,6 +43,28 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
     result.label[t] = result.firm[t] ? votes[1] > 0
                                      : label_at(centroid(fine, static_cast<Tet>(t)),
                                                 fine.nearest_sample(corners[0]));
+  });
+  return result;
+}
+
+Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
+                   const TetMesh& fine, const std::vector<Index>& near,
+                   const std::vector<double>& spacing, Job& job) {
+  job.tick(0);
+  const std::vector<Tet> star = star_seeds(coarse);
+  const std::vector<Circumball> balls = circumballs(fine, job.threads());
+  Seeds result;
+  result.contradiction = seeds.contradiction;
+  result.confidence = seeds.confidence;
+  result.label.resize(fine.finite);
+  result.firm.resize(fine.finite);
+  parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
+    const auto& corners = fine.vertices[t];
+    const Index v = *std::min_element(corners.begin(), corners.end());
+    const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
+    result.label[t] = labels[locate(coarse, centroid(fine, t), star[known])];
+    result.firm[t] = balls[t].radius > firm_radius * mean_spacing(fine, spacing, t);
   });
   return result;
 }

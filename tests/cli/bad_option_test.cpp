@@ -76,6 +76,11 @@ const Row rows[] = {
     {"OutputIsInputByAnotherName", "reconstruct in.ply -o ./../$(basename $PWD)/in.ply", "..."},
     {"TwoOutputsInOne", "reconstruct in.xyz -o out.ply --report out.ply",
      "'out.ply': the mesh and the report would both be written to it"},
+    {"FeaturesInTheMesh", "reconstruct in.xyz -o out.ply --features out.ply",
+     "'out.ply': the mesh and the network of curves would both be written to it"},
+    {"FeaturesWithoutName", "reconstruct in.xyz -o out.ply --features ''",
+     "--features: must name a file"},
+    {"TrimWithValue", "reconstruct in.xyz -o out.ply --trim=maybe", "..."},
 };
 
 class BadOption : public testing::TestWithParam<Row> {};

@@ -41,7 +41,7 @@ TEST(Talk, HelpNamesCommandsOptionsAndExitCodes) {
   for (const char* part :
        {"--output", "--method", "--lambda", "--cycles", "--background", "--curvature", "--no-swap",
         "--free-samples", "--tets", "--report", "--threads", "--memory-limit", "--drop-non-finite",
-        "--quiet", "--verbose"})
+        "--features", "--trim", "--quiet", "--verbose"})
     EXPECT_TRUE(contains(one.out, part)) << part;
   EXPECT_EQ(place.arris("reconstruct --help").out, one.out);
 }
@@ -98,6 +98,7 @@ TEST(Talk, InfoDescribesMeshes) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_TRUE(contains(outcome.out, "m.off: 4 points")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "triangles   2")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "features    0 curves, 0 corners, 1 patch")) << outcome.out;
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ Report full_report() {
   r.input_points = 18446744073709551615u;
   r.shift = {1.5, -2.5, 1e300};
   r.cut_energy = {3.25, 0.1};
+  r.filled_area = 0.25;
+  r.trimmed = true;
+  r.features.curves = 12;
+  r.features.length = 1.5;
   r.stages = {{"delaunay", 0.5, 1024}};
   r.certificate.euler = -4;
   r.certificate.volume = 0.3;
@@ -57,13 +61,18 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "swaps",
                                                   "manifold_flips",
                                                   "specks",
+                                                  "filled_faces",
+                                                  "filled_area",
+                                                  "trimmed",
+                                                  "features",
                                                   "stages",
                                                   "certificate",
                                                   "warnings"}));
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
-                                      "swap", "keep_samples", "tetrahedra", "non_finite"}));
+                                      "swap", "keep_samples", "tetrahedra", "trim", "non_finite"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
+                                                                 "sound",
                                                                  "closed",
                                                                  "manifold",
                                                                  "oriented",
@@ -101,6 +110,13 @@ TEST(ReportJson, KeepsValues) {
   EXPECT_EQ(json["cut_energy"].get<std::vector<double>>(), report.cut_energy);
   EXPECT_EQ(json["swap_energy"].size(), 0u);
   EXPECT_TRUE(json["swap_energy"].is_array());
+  EXPECT_EQ(json["filled_area"].get<double>(), 0.25);
+  EXPECT_EQ(json["trimmed"], true);
+  EXPECT_EQ(keys(json["features"]),
+            (std::vector<std::string>{"curves", "closed_curves", "convex_curves", "concave_curves",
+                                      "corners", "ends", "patches", "length"}));
+  EXPECT_EQ(json["features"]["curves"], 12);
+  EXPECT_EQ(json["features"]["length"].get<double>(), 1.5);
   EXPECT_EQ(json["stages"][0]["name"], "delaunay");
   EXPECT_EQ(json["stages"][0]["peak_memory"], 1024);
   EXPECT_EQ(json["certificate"]["ok"], false);

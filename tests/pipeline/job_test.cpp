@@ -54,8 +54,9 @@ TEST(Progress, NeverDecreasesAndEndsAtOne) {
 TEST(Progress, ANewStageIsAlwaysTold) {
   std::set<std::string> seen;
   for (const Tick& t : ticks_of(feature_cloud("cube", 400), paper())) seen.insert(t.stage);
-  EXPECT_EQ(seen, (std::set<std::string>{"samples", "delaunay", "seeds", "background", "cut 1",
-                                         "cut 2", "cut 3", "swap", "check"}));
+  EXPECT_EQ(seen,
+            (std::set<std::string>{"samples", "delaunay", "seeds", "background", "cut 1", "cut 2",
+                                   "cut 3", "swap", "check", "support", "features"}));
 }
 
 // The callback asks to stop when it hears of the stage; `all` is set to the stages heard of.

@@ -146,5 +146,60 @@ TEST(Output, NonFinitePointsAreRefusedUnlessDropped) {
   EXPECT_NE(said(r).find("point 17"), std::string::npos) << said(r);
 }
 
+// The unit sphere without the samples above this height.
+PointCloud open_sphere(double height) {
+  PointCloud cloud = blue_cloud("sphere", 3000);
+  std::erase_if(cloud.positions, [&](Vec3 p) { return p.z > height; });
+  return cloud;
+}
+
+TEST(Output, FacesSayWhetherSamplesSupportThem) {
+  const Result<Reconstruction> r = reconstruct(open_sphere(0.8));
+  ASSERT_TRUE(r) << said(r);
+  ASSERT_EQ(r->filled.size(), r->mesh.triangles.size());
+  ASSERT_EQ(r->support.size(), r->mesh.triangles.size());
+  std::uint64_t filled = 0;
+  for (std::size_t t = 0; t < r->filled.size(); ++t) {
+    EXPECT_GT(r->support[t], 0);
+    EXPECT_LE(r->support[t], 1);
+    double height = 0;
+    for (Index v : r->mesh.triangles[t]) height += r->mesh.vertices[v].z / 3;
+    EXPECT_TRUE(!r->filled[t] || height > 0.6);  // the fill is nearly flat, at 0.8
+    EXPECT_TRUE(r->support[t] >= 0.5 || r->filled[t] == 1);
+    filled += r->filled[t];
+  }
+  EXPECT_GT(filled, 5u);
+  EXPECT_EQ(r->report.filled_faces, filled);
+  EXPECT_NEAR(r->report.filled_area, 0.36 / (3.6 + 0.36), 0.03);  // disc, cap left
+  EXPECT_TRUE(r->report.certificate.closed());
+}
+
+TEST(Output, ATrimmedMeshIsTheRestOfTheWhole) {
+  Options trimming;
+  trimming.trim = true;
+  const PointCloud cloud = open_sphere(0.8);
+  const Result<Reconstruction> whole = reconstruct(cloud), open = reconstruct(cloud, trimming);
+  ASSERT_TRUE(whole && open) << said(open);
+  EXPECT_EQ(open->mesh.triangles.size() + whole->report.filled_faces, whole->mesh.triangles.size());
+  EXPECT_EQ(open->report.filled_faces, whole->report.filled_faces);
+  EXPECT_TRUE(open->report.trimmed);
+  EXPECT_TRUE(open->report.certificate.sound());
+  EXPECT_FALSE(open->report.certificate.closed());
+  EXPECT_EQ(open->report.certificate.euler, 1);
+  EXPECT_EQ(std::count(open->filled.begin(), open->filled.end(), 1), 0);
+  EXPECT_EQ(open->support.size(), open->mesh.triangles.size());
+  EXPECT_EQ(open->confidence.size(), open->mesh.vertices.size());
+  EXPECT_EQ(open->mesh.source.size(), open->mesh.vertices.size());
+  EXPECT_EQ(open->features.patch.size(), open->mesh.triangles.size());
+  std::size_t next = 0;  // triangles and vertices keep their order
+  for (std::size_t t = 0; t < whole->mesh.triangles.size(); ++t) {
+    if (whole->filled[t]) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(open->mesh.source[open->mesh.triangles[next][k]],
+                whole->mesh.source[whole->mesh.triangles[t][k]]);
+    ++next;
+  }
+}
+
 }  // namespace
 }  // namespace arris

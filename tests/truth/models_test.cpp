@@ -143,7 +143,7 @@ TEST(PaperModels, BrilliantDiamondHasItsFacets) {
   const Mesh mesh = brilliant_diamond();
   EXPECT_EQ(mesh.vertices.size(), 57u);
   const std::size_t edges = feature_graph(mesh, 0.01).sharp.size();
-  EXPECT_EQ(2 - 57 + edges, 57u + 16u);
+  EXPECT_EQ(2 + edges - 57, 57u + 16u);
 }
 
 // The tip counts as a corner although no edge ends there; the rest is smooth.

@@ -9,6 +9,7 @@
 
 #include "support/samplers.h"
 #include "support/shapes.h"
+#include "viewer/legend.h"
 #include "viewer/png.h"
 
 namespace arris::viewer {
@@ -254,6 +255,43 @@ TEST(Render, OddInputsAreDrawnOrRefused) {
     const std::vector<Panel> two = {{cube, {}, ""}, {cube, {}, ""}};
     EXPECT_EQ(code(two, spoiled), static_cast<int>(ErrorCode::usage));
   }
+}
+
+// The paint is asked for positions of the model's own, whichever axis is up: green above is above.
+TEST(Render, PaintColoursPositionsOfTheModel) {
+  const auto is_green = [](Rgb c) { return c.green > c.red + 60 && c.green > c.blue + 60; };
+  const auto is_any_red = [](Rgb c) { return c.red > c.green + 60 && c.red > c.blue + 60; };
+  Mesh mesh = test::cube().mesh;
+  for (Vec3& p : mesh.vertices) p = {p.x + 2, p.y - 3, p.z + 1};
+  for (const Up up : {Up::x, Up::y, Up::z}) {
+    View view = small_view();
+    view.up = up;
+    view.elevation = 0;
+    const auto green_above = [up](Vec3 p) {
+      const double height = up == Up::x ? p.x - 2 : up == Up::y ? p.y + 3 : p.z - 1;
+      return height > 0.5 ? Colour{0, 1, 0} : Colour{1, 0, 0};
+    };
+    Image image = rendered({{mesh, {}, "", green_above}}, view);
+    EXPECT_GT(count(image, is_green), 1000);
+    EXPECT_GT(count(image, is_any_red), 1000);
+    image.rgb.resize(image.rgb.size() / 2 - 3 * 160);  // the upper half
+    EXPECT_EQ(count(image, is_any_red), 0);
+  }
+}
+
+TEST(Legend, IsABarBelowThePicture) {
+  const Image picture(200, 100);
+  const Image image = with_legend(picture, {[](double t) {
+                                              return Colour{t, 0, 0};
+                                            },
+                                            "0", "1", ""});
+  EXPECT_EQ(image.width, 200);
+  EXPECT_GT(image.height, 100);
+  const auto is_ink_free_black = [](Rgb c) { return c.red < 40 && c.green == 0 && c.blue == 0; };
+  const auto is_full_red = [](Rgb c) { return c.red > 215 && c.green == 0 && c.blue == 0; };
+  EXPECT_GT(count(image, is_ink_free_black), 20);
+  EXPECT_GT(count(image, is_full_red), 20);
+  EXPECT_EQ(std::vector<std::uint8_t>(image.rgb.begin(), image.rgb.begin() + 60000), picture.rgb);
 }
 
 }  // namespace

@@ -1,0 +1,165 @@
+#include "feature/candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "feature/meet.h"
+#include "feature/point_grid.h"
+
+namespace arris {
+namespace {
+
+// Least angle between the surfaces of a feature: 30 degrees is a sharp edge by common usage; what
+// bends less keeps the bevel of its samples.
+constexpr double least_angle = 25 * std::numbers::pi / 180;
+const double largest_cosine = std::cos(least_angle);
+// Newton's steps go through worse conditioned places.
+const double least_sine = std::sin(least_angle) / 2;
+// How far from a crossing its edge or corner may lie, in units of spacing.
+constexpr double edge_reach = 1.5;
+constexpr double corner_reach = 2.5;
+// Feet of the ends themselves are taken for ends nearer than this to the edge.
+constexpr double foot_reach = 0.3;
+// How far past a third surface an edge may run, in units of spacing.
+constexpr double overrun = 0.05;
+// Corners found from several facets are the same within this, in units of spacing.
+constexpr double same_corner = 0.05;
+
+// The sides at a point.
+template <class Body>
+void for_sides(const Crossing& c, Index v, Body&& body) {
+  for (const LocalSurface& s : c.sensed.at(v)) body(Side{v, &s});
+}
+
+// x lies past a third surface near u or v that cuts the edge of a and b off before.
+bool is_cut_off(const Crossing& c, const Side& a, const Side& b, Vec3 x) {
+  const double far = overrun * c.spacing[a.point];
+  bool cut = false;
+  for (Index end : {a.point, b.point})
+    for (Index f : c.mesh.star(end))
+      for (Index w : c.mesh.facets[f])
+        for_sides(c, w, [&](const Side& s) {
+          if (cut || w == a.point || w == b.point || c.agree(a, s) || c.agree(b, s)) return;
+          const Turn turn = c.turn(a, s);
+          if (turn == Turn::none || turn != c.turn(b, s)) return;
+          cut = static_cast<int>(turn) * s.surface->distance(x) > far;
+        });
+  return cut;
+}
+
+bool is_sharp(const LocalSurface& a, const LocalSurface& b, Vec3 x) {
+  return dot(a.normal(x), b.normal(x)) <= largest_cosine;
+}
+
+void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candidate>& out) {
+  if (c.turn(a, b) == Turn::none) return;
+  const Vec3 u = c.points[a.point], v = c.points[b.point], middle = 0.5 * (u + v);
+  const double h = (c.spacing[a.point] + c.spacing[b.point]) / 2;
+  for (const Vec3 start : {middle, u, v}) {
+    const auto x = meet(*a.surface, *b.surface, start, least_sine);
+    if (!x || !is_sharp(*a.surface, *b.surface, *x)) continue;
+    if (distance(*x, middle) > edge_reach * h) continue;
+    const double far = std::min(distance(*x, u), distance(*x, v)) / h;
+    if (start != middle && far > foot_reach) continue;
+    if (is_cut_off(c, a, b, *x)) continue;
+    out.push_back({{*x, h, false, a.point, {*a.surface, *b.surface}}, far});
+  }
+}
+
+// The distinct surfaces at the corners of a facet and of its neighbours.
+std::vector<Side> sides_round(const Crossing& c, Index f) {
+  std::vector<Index> near(c.mesh.facets[f].begin(), c.mesh.facets[f].end());
+  for (Index g : c.mesh.neighbours[f])
+    for (Index v : c.mesh.facets[g])
+      if (std::find(near.begin(), near.end(), v) == near.end()) near.push_back(v);
+  std::vector<Side> sides;
+  for (Index v : near)
+    for_sides(c, v, [&](const Side& s) {
+      if (std::none_of(sides.begin(), sides.end(), [&](const Side& k) { return c.agree(k, s); }))
+        sides.push_back(s);
+    });
+  return sides;
+}
+
+void try_corner(const Crossing& c, const std::array<Side, 3>& sides, Vec3 middle, double h,
+                std::vector<Candidate>& out) {
+  const auto x = meet(*sides[0].surface, *sides[1].surface, *sides[2].surface, middle);
+  if (!x || distance(*x, middle) > corner_reach * h) return;
+  double far = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Side &a = sides[i], &b = sides[(i + 1) % 3];
+    if (!is_sharp(*a.surface, *b.surface, *x) || c.turn(a, b) == Turn::none) return;
+    far = std::max(far, distance(c.points[a.point], *x) / h);
+  }
+  if (far > corner_reach) return;
+  out.push_back(
+      {{*x, h, true, sides[0].point, {*sides[0].surface, *sides[1].surface, *sides[2].surface}},
+       far});
+}
+
+// Candidates that more others coincide with come first, then nearer ones.
+void rank_corners(std::vector<Candidate>& all) {
+  double cell = 0;
+  for (const Candidate& a : all) cell = std::max(cell, same_corner * a.point.spacing);
+  if (!(cell > 0)) return;
+  PointGrid grid(cell);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    grid.add(all[i].point.position, static_cast<Index>(i));
+  std::vector<std::pair<int, std::size_t>> order(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    order[i] = {0, i};
+    const FeaturePoint& p = all[i].point;
+    grid.visit(p.position, [&](Index j) {
+      order[i].first += distance(all[j].point.position, p.position) <= same_corner * p.spacing;
+    });
+  }
+  std::stable_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : all[a.second].far < all[b.second].far;
+  });
+  std::vector<Candidate> ranked;
+  for (const auto& [votes, i] : order) ranked.push_back(std::move(all[i]));
+  all = std::move(ranked);
+}
+
+}  // namespace
+
+std::vector<Candidate> edge_candidates(const Crossing& c, Job& job) {
+  std::vector<Candidate> found;
+  for (Index f = 0; f < c.mesh.facets.size(); ++f) {
+    if (f % 65536 == 0) job.tick(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index u = c.mesh.facets[f][i], v = c.mesh.facets[f][(i + 1) % 3];
+      if (u > v || !c.crosses(u, v)) continue;
+      for_sides(c, u, [&](const Side& a) {
+        for_sides(c, v, [&](const Side& b) { try_edge(c, a, b, found); });
+      });
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.far < b.far; });
+  return found;
+}
+
+std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
+  std::vector<Candidate> found;
+  for (Index f = 0; f < c.mesh.facets.size(); ++f) {
+    if (f % 65536 == 0) job.tick(0);
+    const Triangle& t = c.mesh.facets[f];
+    if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
+    const std::vector<Side> sides = sides_round(c, f);
+    const double h = (c.spacing[t[0]] + c.spacing[t[1]] + c.spacing[t[2]]) / 3;
+    const Vec3 middle = 1.0 / 3 * (c.points[t[0]] + c.points[t[1]] + c.points[t[2]]);
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t j = i + 1; j < sides.size(); ++j)
+        for (std::size_t k = j + 1; k < sides.size(); ++k)
+          try_corner(c, {sides[i], sides[j], sides[k]}, middle, h, found);
+  }
+  rank_corners(found);
+  return found;
+}
+
+}  // namespace arris

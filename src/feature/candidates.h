@@ -1,0 +1,33 @@
+// Candidates for feature points: where the surfaces on both sides of a crossing meet.
+#pragma once
+
+#include <vector>
+
+#include "base/job.h"
+#include "feature/crossing.h"
+
+namespace arris {
+
+// A point where two (edge) or three (corner) smooth surfaces meet, on no sample.
+struct FeaturePoint {
+  Vec3 position;
+  double spacing = 0;  // h there
+  bool corner = false;
+  Index near = no_index;  // one of the points it was found from
+  std::vector<LocalSurface> surfaces;
+};
+
+struct Candidate {
+  FeaturePoint point;
+  double far;  // from the nearest (edge) or farthest (corner) point it was found from, over h
+};
+
+// On edges: for each crossing side the points of the curve across its middle and nearest to its
+// ends. O(facets).
+std::vector<Candidate> edge_candidates(const Crossing& crossing, Job& job);
+
+// At corners: for each facet round which three distinct surfaces meet. Those that most facets find
+// come first. O(facets).
+std::vector<Candidate> corner_candidates(const Crossing& crossing, Job& job);
+
+}  // namespace arris

@@ -1,0 +1,107 @@
+#include "feature/facets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/failure.h"
+#include "base/parallel.h"
+#include "base/vec.h"
+
+namespace arris {
+namespace {
+
+// A facet whose height is below this share of its longest side has no normal to judge by: a
+// position off by a hundredth of a side would turn it by four degrees.
+constexpr double sliver = 0.15;
+
+// The facets at each point, in the order of the facets.
+void fill_stars(FacetMesh& mesh, std::size_t points) {
+  mesh.first.assign(points + 1, 0);
+  for (const Triangle& t : mesh.facets)
+    for (Index v : t) ++mesh.first[v + 1];
+  for (std::size_t v = 0; v < points; ++v) mesh.first[v + 1] += mesh.first[v];
+  mesh.around.resize(mesh.facets.size() * 3);
+  std::vector<Index> next(mesh.first.begin(), mesh.first.end() - 1);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+    for (Index v : mesh.facets[f]) mesh.around[next[v]++] = static_cast<Index>(f);
+}
+
+// The facet that has the directed side a -> b.
+Index facet_with_side(const FacetMesh& mesh, Index a, Index b) {
+  for (Index f : mesh.star(a))
+    for (std::size_t i = 0; i < 3; ++i)
+      if (mesh.facets[f][i] == a && mesh.facets[f][(i + 1) % 3] == b) return f;
+  throw Failure(ErrorCode::internal, "a surface to sense features on is not closed",
+                "please report it with the input");
+}
+
+Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& points) {
+  const Vec3 a = points[t[0]], b = points[t[1]], c = points[t[2]];
+  const Vec3 n = cross(b - a, c - a);
+  const double area = length(n);
+  const double longest =
+      std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
+  return area > sliver * longest ? (1 / area) * n : Vec3{};
+}
+
+void keep_distinct(std::vector<Index>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
+FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points,
+                     unsigned threads)
+    : facets(std::move(triangles)) {
+  fill_stars(*this, points.size());
+  neighbours.resize(facets.size());
+  normal.resize(facets.size());
+  parallel_for(facets.size(), threads, [&](std::size_t f) {
+    const Triangle& t = facets[f];
+    normal[f] = unit_normal(t, points);
+    for (std::size_t i = 0; i < 3; ++i)
+      neighbours[f][i] = facet_with_side(*this, t[(i + 2) % 3], t[(i + 1) % 3]);
+  });
+}
+
+void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
+  out.clear();
+  for (Index f : mesh.star(v))
+    for (Index w : mesh.facets[f])
+      if (w != v) out.push_back(w);
+  keep_distinct(out);
+}
+
+void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
+  out.clear();
+  for (Index f : mesh.star(v))
+    for (Index w : mesh.facets[f]) {
+      if (w == v) continue;
+      for (Index g : mesh.star(w))
+        for (Index x : mesh.facets[g])
+          if (x != v) out.push_back(x);
+    }
+  keep_distinct(out);
+}
+
+std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points) {
+  std::vector<std::uint8_t> marked(points, 0);
+  const double cosine = std::cos(angle);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+    for (Index g : mesh.neighbours[f])
+      if (dot(mesh.normal[f], mesh.normal[g]) < cosine)  // slivers too
+        for (Index v : mesh.facets[f]) marked[v] = 1;
+  return marked;
+}
+
+void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked) {
+  for (int round = 0; round < rings; ++round) {
+    const std::vector<std::uint8_t> before = marked;
+    for (const Triangle& t : mesh.facets)
+      if (before[t[0]] || before[t[1]] || before[t[2]])
+        for (Index v : t) marked[v] = 1;
+  }
+}
+
+}  // namespace arris

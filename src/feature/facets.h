@@ -1,0 +1,39 @@
+// A closed triangle surface over a point array, with the neighbourhoods that sensing walks along.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "arris/types.h"
+
+namespace arris {
+
+// Flat arrays: facets, the facet across each side, the facets round each point.
+struct FacetMesh {
+  std::vector<Triangle> facets;                  // indices of points, outward
+  std::vector<std::array<Index, 3>> neighbours;  // [f][i]: across the side opposite corner i
+  std::vector<Vec3> normal;                      // unit; zero where a facet has none to judge by
+  std::vector<Index> first, around;              // facets at point v: around[first[v]..first[v+1])
+
+  // Every side must be shared by exactly two facets, in opposite directions; throws
+  // Failure(internal) otherwise. O(points + facets) for bounded degrees.
+  FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points, unsigned threads);
+
+  std::span<const Index> star(Index v) const noexcept {
+    return {around.data() + first[v], around.data() + first[v + 1]};
+  }
+};
+
+// The points that share a facet with v, ascending. O(degree).
+void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);
+// Those of the rings of the ring, too, without v. O(degree²).
+void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out);
+
+// Marks the points at sides where the surface bends by more than `angle` (radians). O(facets).
+std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points);
+
+// Marks the points within `rings` rings of marked ones, too. O(rings * facets).
+void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked);
+
+}  // namespace arris

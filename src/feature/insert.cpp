@@ -1,0 +1,70 @@
+#include "feature/insert.h"
+
+#include <algorithm>
+
+#include "cloud/nearest.h"
+#include "feature/point_grid.h"
+#include "feature/protect.h"
+
+namespace arris {
+namespace {
+
+// Least distance between feature points, in units of spacing. 0.6 leaves gaps that concave corners
+// fall into, below 0.3 there are only more triangles.
+constexpr double apart = 0.4;
+// A sample this near, in units of spacing, lies on the feature already.
+constexpr double occupied = 0.01;
+
+void thin(const std::vector<Candidate>& candidates, const NearestSample& nearest, PointGrid& grid,
+          std::vector<FeaturePoint>& features) {
+  for (const Candidate& c : candidates) {
+    const FeaturePoint& p = c.point;
+    if (nearest(p.position).distance < occupied * p.spacing) continue;
+    bool free = true;
+    grid.visit(p.position, [&](Index i) {
+      free = free && distance(features[i].position, p.position) >= apart * p.spacing;
+    });
+    if (!free) continue;
+    grid.add(p.position, static_cast<Index>(features.size()));
+    features.push_back(p);
+  }
+}
+
+double largest_spacing(const std::vector<Candidate>& candidates) {
+  double h = 0;
+  for (const Candidate& c : candidates) h = std::max(h, c.point.spacing);
+  return h;
+}
+
+// The samples that lie on a feature themselves.
+std::vector<FeaturePoint> marked_samples(const std::vector<Vec3>& points, std::size_t samples,
+                                         const std::vector<double>& spacing, const Sensed& sensed) {
+  std::vector<FeaturePoint> marked;
+  for (Index v = 0; v < samples; ++v) {
+    const auto s = sensed.at(v);
+    if (s.size() > 1)
+      marked.push_back({points[v], spacing[v], s.size() > 2, v, {s.begin(), s.end()}});
+  }
+  return marked;
+}
+
+}  // namespace
+
+void insert_feature_points(const std::vector<Vec3>& points, std::size_t samples,
+                           const FacetMesh& mesh, const std::vector<double>& spacing,
+                           const Sensed& sensed, std::vector<FeaturePoint>& features, Job& job) {
+  const Crossing crossing{points, mesh, spacing, sensed};
+  const std::vector<Candidate> corners = corner_candidates(crossing, job);
+  const std::vector<Candidate> edges = edge_candidates(crossing, job);
+  const double cell = apart * std::max(largest_spacing(corners), largest_spacing(edges));
+  if (!(cell > 0)) return;
+  const NearestSample nearest(points);
+  PointGrid grid(cell);
+  for (std::size_t i = 0; i < features.size(); ++i)
+    grid.add(features[i].position, static_cast<Index>(i));
+  thin(corners, nearest, grid, features);
+  thin(edges, nearest, grid, features);
+  protect_curves(points, marked_samples(points, samples, spacing, sensed), features, job);
+}
+
+}  // namespace arris

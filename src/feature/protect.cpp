@@ -1,0 +1,120 @@
+#include "feature/protect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud/nearest.h"
+#include "feature/meet.h"
+#include "feature/point_grid.h"
+
+namespace arris {
+namespace {
+
+// All in units of spacing. Gaps are looked for up to `reach`, split above `longest` always, above
+// `shortest` if a point enters; a point nearer than `occupied` to the new one makes it needless.
+constexpr double reach = 2.5;
+constexpr double longest = 0.8;
+constexpr double shortest = 0.3;
+constexpr double occupied = 0.01;
+// A curve goes on within this cosine of its direction.
+constexpr double ahead = 0.9;
+// Two surfaces are the same at a feature point within this cosine and distance.
+constexpr double same_cosine = 0.97, same_distance = 0.1;
+// New points are kept away from the ends of the gap, and near to it.
+constexpr double least_share = 0.25, largest_move = 0.3;
+constexpr double least_sine = 0.1;
+// What enters the diametral ball itself, not its boundary.
+constexpr double inside = 0.499;
+
+class Protector {
+ public:
+  Protector(const std::vector<Vec3>& points, std::vector<FeaturePoint>& all, double h)
+      : points_(points), all_(all), nearest_(points), grid_(reach * h) {
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      grid_.add(all_[i].position, static_cast<Index>(i));
+  }
+
+  void run(Job& job) {
+    for (std::size_t i = 0; i < all_.size(); ++i) {  // grows while it runs
+      if (i % 4096 == 0) job.tick(0);
+      const FeaturePoint p = all_[i];
+      for (std::size_t a = 0; a < p.surfaces.size(); ++a)
+        for (std::size_t b = a + 1; b < p.surfaces.size(); ++b)
+          split_along(p, p.surfaces[a], p.surfaces[b]);
+    }
+  }
+
+ private:
+  void split_along(const FeaturePoint& p, const LocalSurface& a, const LocalSurface& b) {
+    const Vec3 t = cross(a.normal(p.position), b.normal(p.position));
+    const double sine = length(t);
+    if (sine < least_sine) return;
+    for (double sign : {1.0, -1.0}) {
+      const Index q = next(p, a, b, (sign / sine) * t);
+      if (q != no_index) split(p, FeaturePoint(all_[q]), a, b);
+    }
+  }
+
+  void split(const FeaturePoint& p, const FeaturePoint& q, const LocalSurface& a,
+             const LocalSurface& b) {
+    const Vec3 along = q.position - p.position;
+    const double gap = length(along), h = std::min(p.spacing, q.spacing);
+    const NearestSample::Hit hit = nearest_(p.position + 0.5 * along);
+    const bool entered = hit.distance < inside * gap && gap > shortest * h;
+    if (!entered && gap <= longest * h) return;
+    double share = 0.5;
+    if (entered)
+      share = std::clamp(dot(points_[hit.index] - p.position, along) / (gap * gap), least_share,
+                         1 - least_share);
+    const Vec3 start = p.position + share * along;
+    const auto x = meet(a, b, start, least_sine);
+    if (!x || distance(*x, start) > largest_move * gap) return;
+    if (nearest_(*x).distance < occupied * h) return;
+    grid_.add(*x, static_cast<Index>(all_.size()));
+    all_.push_back({*x, share * q.spacing + (1 - share) * p.spacing, false, p.near, {a, b}});
+  }
+
+  // The next feature point on both surfaces in that direction.
+  Index next(const FeaturePoint& p, const LocalSurface& a, const LocalSurface& b,
+             Vec3 direction) const {
+    Index best = no_index;
+    double nearest = reach * p.spacing;
+    grid_.visit(p.position, [&](Index i) {
+      const Vec3 d = all_[i].position - p.position;
+      const double far = length(d);
+      if (!(far > 0) || far >= nearest || dot(d, direction) < ahead * far) return;
+      if (!has(all_[i], a) || !has(all_[i], b)) return;
+      best = i;
+      nearest = far;
+    });
+    return best;
+  }
+
+  static bool has(const FeaturePoint& p, const LocalSurface& s) {
+    return std::abs(s.distance(p.position)) < same_distance * p.spacing &&
+           std::any_of(p.surfaces.begin(), p.surfaces.end(), [&](const LocalSurface& o) {
+             return dot(o.normal(p.position), s.normal(p.position)) > same_cosine;
+           });
+  }
+
+  const std::vector<Vec3>& points_;
+  std::vector<FeaturePoint>& all_;
+  NearestSample nearest_;
+  PointGrid grid_;
+};
+
+}  // namespace
+
+void protect_curves(const std::vector<Vec3>& points, const std::vector<FeaturePoint>& marked,
+                    std::vector<FeaturePoint>& features, Job& job) {
+  std::vector<FeaturePoint> all = features;
+  all.insert(all.end(), marked.begin(), marked.end());
+  double h = 0;
+  for (const FeaturePoint& p : all) h = std::max(h, p.spacing);
+  if (!(h > 0)) return;
+  const auto known = static_cast<std::ptrdiff_t>(all.size());
+  Protector(points, all, h).run(job);
+  features.insert(features.end(), all.begin() + known, all.end());
+}
+
+}  // namespace arris

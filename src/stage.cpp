@@ -1,0 +1,103 @@
+#include "stage.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cut/facet_costs.h"
+#include "cut/manifold.h"
+#include "cut/specks.h"
+#include "feature/insert.h"
+#include "feature/sense.h"
+#include "seed/transfer.h"
+#include "surface/extract.h"
+#include "swap/flat.h"
+#include "swap/swap.h"
+#include "tetra/delaunay.h"
+
+namespace arris {
+namespace {
+
+FacetMesh facets_of(const Stage& stage, const Labels& labels, unsigned threads) {
+  ExtractedSurface surface = extract_surface(stage.mesh, labels);
+  for (Triangle& t : surface.triangles)
+    for (Index& v : t) v = surface.point[v];
+  return FacetMesh(std::move(surface.triangles), stage.mesh.points, threads);
+}
+
+// Everywhere at first; then only round the features that were found, where the surface is new.
+std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t points,
+                                          std::size_t samples) {
+  constexpr int rings = 3;  // what a corner that is still missing has round it
+  std::vector<std::uint8_t> wanted = near_bends(facets, points);
+  if (points == samples) return wanted;
+  std::vector<std::uint8_t> fresh(points, 0);
+  std::fill(fresh.begin() + static_cast<std::ptrdiff_t>(samples), fresh.end(), 1);
+  spread(facets, rings, fresh);
+  for (std::size_t v = 0; v < points; ++v) wanted[v] = wanted[v] && fresh[v];
+  return wanted;
+}
+
+// The sides at the samples as sensed, at the features as they were made.
+Sides sides_of(const std::vector<Vec3>& points, std::size_t samples, const Sensed& sensed,
+               const std::vector<FeaturePoint>& features) {
+  Sides sides;
+  sides.first.push_back(0);
+  for (Index v = 0; v < points.size(); ++v) {
+    const std::span<const LocalSurface> at =
+        v < samples ? sensed.at(v) : std::span(features[v - samples].surfaces);
+    for (const LocalSurface& s : at) sides.normal.push_back(s.normal(points[v]));
+    sides.first.push_back(static_cast<Index>(sides.normal.size()));
+  }
+  return sides;
+}
+
+}  // namespace
+
+SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
+                        Job& job) {
+  SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
+  report.manifold_flips += make_manifold(
+      stage.mesh, stage.stars,
+      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
+      cut.labels, job);
+  report.specks = remove_specks(stage.mesh, stage.model.spacing, cut.labels);
+  return cut;
+}
+
+void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
+  SwapOptions options;
+  options.keep_samples = report.options.keep_samples;
+  options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
+  SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
+  report.swap_energy = std::move(swaps.energy);
+  report.swaps = swaps.accepted;
+}
+
+Stage add_features(const Stage& stage, const Labels& labels, std::size_t samples,
+                   std::vector<FeaturePoint>& features, Job& job) {
+  Stage next;
+  const std::size_t known = features.size();
+  const FacetMesh facets = facets_of(stage, labels, job.threads());
+  const Sensed sensed =
+      sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
+                     places_to_sense(facets, stage.mesh.points.size(), samples), job);
+  insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
+                        job);
+  if (features.size() == known) return next;
+  std::vector<Vec3> points = stage.mesh.points;
+  std::vector<Index> near;
+  next.model = stage.model;
+  for (std::size_t k = known; k < features.size(); ++k) {
+    points.push_back(features[k].position);
+    near.push_back(features[k].near);
+    next.model.spacing.push_back(features[k].spacing);
+  }
+  next.model.sides = sides_of(points, samples, sensed, features);
+  next.mesh = delaunay(std::move(points), samples + features.size(), job);
+  next.stars = Stars(next.mesh);
+  next.seeds =
+      follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, near, next.model.spacing, job);
+  return next;
+}
+
+}  // namespace arris

@@ -1,0 +1,38 @@
+// What the steps of the pipeline hand to each other: tetrahedra, what is known of them, the energy.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arris/options.h"
+#include "arris/report.h"
+#include "base/job.h"
+#include "cut/surface_cut.h"
+#include "energy/model.h"
+#include "feature/candidates.h"
+#include "seed/seeds.h"
+#include "tetra/stars.h"
+#include "tetra/tet_mesh.h"
+
+namespace arris {
+
+struct Stage {
+  TetMesh mesh;
+  Stars stars;
+  Seeds seeds;
+  EnergyModel model;
+};
+
+// Cut, and the manifold next to it, without specks.
+SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
+                        Job& job);
+
+void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job);
+
+// Adds the feature points that the surface of `labels` lets sense to `features`; returns the stage
+// that has them among its points, or nothing (no points) if there is none to add. Points
+// [samples ..) of a stage are the features.
+Stage add_features(const Stage& stage, const Labels& labels, std::size_t samples,
+                   std::vector<FeaturePoint>& features, Job& job);
+
+}  // namespace arris
