@@ -129,6 +129,10 @@ void add_method_options(CLI::App& app, Options& options) {
       ->check(number_in(0, 1000, "a number from 0 to 1000"));
   add_choice(app, "--curvature", curvatures, options.curvature,
              "How the swaps measure curvature; area: minimal area instead, to compare with");
+  static const std::map<std::string, Outliers> outliers = {
+      {"auto", Outliers::by_method}, {"drop", Outliers::drop}, {"keep", Outliers::keep}};
+  add_choice(app, "--outliers", outliers, options.outliers,
+             "Points that belong to no surface: dropped, but for --method paper");
   app.add_flag_callback(
       "--no-swap", [&options] { options.swap = false; }, "Leave the swaps out");
   app.add_flag_callback(

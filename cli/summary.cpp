@@ -29,6 +29,9 @@ std::string left_out(const Report& report) {
     text.append(", ").append(counted(report.duplicate_points, "duplicate"));
   if (report.non_finite_points > 0)
     text.append(", ").append(with_commas(report.non_finite_points)).append(" non-finite");
+  if (report.stray_outliers + report.surface_outliers > 0)
+    text.append(", ").append(counted(report.stray_outliers + report.surface_outliers, "outlier") +
+                             " removed");
   return text;
 }
 

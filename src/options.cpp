@@ -39,7 +39,9 @@ Options resolve_options(Options options) {
   if (options.background < 0) options.background = paper ? paper_background : 0;
   if (options.curvature == Curvature::by_method)
     options.curvature = paper ? Curvature::cotangent : Curvature::polyhedral;
-  options.features = options.features && !paper;
+  options.sharpen = options.sharpen && !paper;
+  if (options.outliers == Outliers::by_method)
+    options.outliers = paper ? Outliers::keep : Outliers::drop;
   return options;
 }
 

@@ -8,10 +8,12 @@
 #include "base/failure.h"
 #include "base/job.h"
 #include "base/vec.h"
+#include "cloud/outliers.h"
 #include "cloud/prepare.h"
 #include "cut/level_set.h"
 #include "cut/surface_cut.h"
 #include "describe.h"
+#include "feature/spikes.h"
 #include "forecast.h"
 #include "options.h"
 #include "output.h"
@@ -28,7 +30,7 @@ namespace {
 
 // Shares of the whole time, for the progress bar; measured at a million points.
 struct Shares {
-  double samples, delaunay, seeds, background, cut, swap, features, check;
+  double samples, outliers, delaunay, seeds, background, cut, swap, features, check;
 };
 constexpr Shares automatic_shares = {0.01, 0.12, 0.04, 0, 0.03, 0.17, 0.43, 0.03};
 constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0, 0.05};
@@ -68,8 +70,27 @@ Stage add_background(const Stage& coarse, const Samples& samples, const Options&
   return fine;
 }
 
+// All that the cut needs.
+Stage make_stage(const Samples& samples, const Options& options, const Shares& shares,
+                 Report& report, Job& job) {
+  Stage stage = seed_samples(samples, options, shares, job);
+  if (options.background > 0) stage = add_background(stage, samples, options, shares, report, job);
+  return stage;
+}
+
+// Removes the samples that the surface shows to be outliers; returns how many.
+std::uint64_t drop_spikes(const Stage& stage, const Labels& labels, Samples& samples, Job& job) {
+  ExtractedSurface surface = extract_surface(stage.mesh, labels);
+  for (Triangle& t : surface.triangles)
+    for (Index& v : t) v = surface.point[v];
+  return drop_samples(samples,
+                      find_spikes(stage.mesh.points, surface.triangles, stage.model.spacing, job));
+}
+
 // The paper's iteration: κ^0 = 0, then κ^n from the signed distance to Γ^n (eq. 6).
 Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report, Job& job) {
+  report.cut_energy.clear();
+  report.manifold_flips = 0;
   std::vector<double> curvature;
   Labels labels;
   for (int n = 0; n < cycles; ++n) {
@@ -129,14 +150,25 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   const Shares& shares = options.background > 0 ? paper_shares : automatic_shares;
 
   job.stage("samples", shares.samples);
-  const Samples samples = prepare_samples(cloud.positions, options.non_finite, job);
-  Stage stage = seed_samples(samples, options, shares, job);
-  if (options.background > 0) stage = add_background(stage, samples, options, shares, report, job);
+  Samples samples = prepare_samples(cloud.positions, options.non_finite, job);
+  if (options.outliers == Outliers::drop) {
+    job.stage("outliers", shares.outliers);
+    report.stray_outliers = drop_samples(samples, find_outliers(samples.points, job));
+  }
+  Stage stage = make_stage(samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
+  for (int round = 0; options.outliers == Outliers::drop && round < most_spike_rounds; ++round) {
+    const std::uint64_t dropped = drop_spikes(stage, labels, samples, job);
+    if (dropped == 0) break;
+    report.surface_outliers += dropped;
+    constexpr Shares again = {};  // not foreseen
+    stage = make_stage(samples, options, again, report, job);
+    labels = iterate_cuts(stage, options.cycles, again.cut, report, job);
+  }
   require_inside(labels);
   job.stage("swap", shares.swap);
   if (options.swap) run_swaps(stage, labels, report, job);
-  if (options.features) {
+  if (options.sharpen) {
     sharpen(stage, samples.points.size(), shares.features, labels, report, job);
     job.stage("swap again", shares.swap);
     if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);

@@ -19,6 +19,10 @@ enum class Curvature : std::uint8_t { by_method, cotangent, polyhedral, area };
 // What to do with points whose coordinates are NaN or infinite.
 enum class NonFinite : std::uint8_t { refuse, drop };
 
+// What to do with points that belong to no surface: strays, clumps, spikes. `by_method` drops them,
+// but for the paper's method, which uses every point.
+enum class Outliers : std::uint8_t { by_method, drop, keep };
+
 struct Options {
   Method method = Method::automatic;
 
@@ -43,7 +47,7 @@ struct Options {
   bool keep_samples = true;
 
   // Add points on edges and corners that no sample lies on. Off in the paper's method.
-  bool features = true;
+  bool sharpen = true;
 
   // Also return the interior tetrahedra.
   bool tetrahedra = false;
@@ -52,6 +56,8 @@ struct Options {
   bool trim = false;
 
   NonFinite non_finite = NonFinite::refuse;
+
+  Outliers outliers = Outliers::by_method;
 };
 
 }  // namespace arris

@@ -33,7 +33,9 @@ struct Report {
   unsigned threads = 0;
 
   std::uint64_t input_points = 0, non_finite_points = 0, duplicate_points = 0;
-  std::uint64_t samples = 0;  // distinct finite points
+  std::uint64_t stray_outliers = 0;    // removed by their company: strays and clumps
+  std::uint64_t surface_outliers = 0;  // removed by the first surface: spikes and islands
+  std::uint64_t samples = 0;           // distinct finite points that were not removed
   std::uint64_t background_points = 0;
   std::uint64_t tetrahedra = 0;       // finite
   std::uint64_t free_tetrahedra = 0;  // decided by the cut, not by seeds

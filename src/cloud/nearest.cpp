@@ -1,5 +1,6 @@
 #include "cloud/nearest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nanoflann.hpp>
 
@@ -45,6 +46,18 @@ NearestSample::Hit NearestSample::operator()(Vec3 query) const {
   result.init(&index, &squared);
   tree_->index.findNeighbors(result, at, nanoflann::SearchParams());
   return {index, std::sqrt(squared)};
+}
+
+void NearestSample::nearest(Vec3 query, std::size_t k, std::vector<Hit>& hits) const {
+  const double at[3] = {query.x, query.y, query.z};
+  k = std::min(k, tree_->adaptor.points.size());
+  std::vector<Index> index(k);
+  std::vector<double> squared(k);
+  nanoflann::KNNResultSet<double, Index> result(k);
+  result.init(index.data(), squared.data());
+  tree_->index.findNeighbors(result, at, nanoflann::SearchParams());
+  hits.resize(k);
+  for (std::size_t i = 0; i < k; ++i) hits[i] = {index[i], std::sqrt(squared[i])};
 }
 
 }  // namespace arris

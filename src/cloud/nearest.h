@@ -1,6 +1,7 @@
 // The nearest sample to any point, by a k-d tree (nanoflann, hidden in nearest.cpp).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,10 @@ class NearestSample {
   };
   // O(log n). Safe to call from several threads.
   Hit operator()(Vec3 query) const;
+
+  // The k nearest, nearest first; fewer if there are fewer points. Of equally near ones that are
+  // the last, which are named depends on the order of the points alone. O(k + log n).
+  void nearest(Vec3 query, std::size_t k, std::vector<Hit>& hits) const;
 
  private:
   struct Tree;

@@ -43,6 +43,18 @@ const char* text(NonFinite non_finite) {
   return "unknown";
 }
 
+const char* text(Outliers outliers) {
+  switch (outliers) {
+    case Outliers::by_method:
+      return "by_method";
+    case Outliers::drop:
+      return "drop";
+    case Outliers::keep:
+      return "keep";
+  }
+  return "unknown";
+}
+
 Json to_object(const Options& o) {
   return {{"method", text(o.method)},
           {"lambda", o.lambda},
@@ -52,8 +64,10 @@ Json to_object(const Options& o) {
           {"swap", o.swap},
           {"keep_samples", o.keep_samples},
           {"tetrahedra", o.tetrahedra},
+          {"sharpen", o.sharpen},
           {"trim", o.trim},
-          {"non_finite", text(o.non_finite)}};
+          {"non_finite", text(o.non_finite)},
+          {"outliers", text(o.outliers)}};
 }
 
 Json to_object(const Certificate& c) {
@@ -103,33 +117,36 @@ Json to_array(const std::vector<StageReport>& stages) {
 }  // namespace
 
 std::string to_json(const Report& r) {
-  const Json json = {{"version", version()},
-                     {"options", to_object(r.options)},
-                     {"threads", r.threads},
-                     {"input_points", r.input_points},
-                     {"non_finite_points", r.non_finite_points},
-                     {"duplicate_points", r.duplicate_points},
-                     {"samples", r.samples},
-                     {"background_points", r.background_points},
-                     {"tetrahedra", r.tetrahedra},
-                     {"free_tetrahedra", r.free_tetrahedra},
-                     {"surface_samples", r.surface_samples},
-                     {"shift", Json::array({r.shift.x, r.shift.y, r.shift.z})},
-                     {"scale", r.scale},
-                     {"spacing", r.spacing},
-                     {"contradiction", r.contradiction},
-                     {"cut_energy", r.cut_energy},
-                     {"swap_energy", r.swap_energy},
-                     {"swaps", r.swaps},
-                     {"manifold_flips", r.manifold_flips},
-                     {"specks", r.specks},
-                     {"filled_faces", r.filled_faces},
-                     {"filled_area", r.filled_area},
-                     {"trimmed", r.trimmed},
-                     {"features", to_object(r.features)},
-                     {"stages", to_array(r.stages)},
-                     {"certificate", to_object(r.certificate)},
-                     {"warnings", r.warnings}};
+  const Json json = {
+      {"version", version()},
+      {"options", to_object(r.options)},
+      {"threads", r.threads},
+      {"input_points", r.input_points},
+      {"non_finite_points", r.non_finite_points},
+      {"duplicate_points", r.duplicate_points},
+      {"outliers_removed", Json{{"stray", r.stray_outliers}, {"surface", r.surface_outliers}}},
+      {"samples", r.samples},
+      {"background_points", r.background_points},
+      {"feature_points", r.feature_points},
+      {"tetrahedra", r.tetrahedra},
+      {"free_tetrahedra", r.free_tetrahedra},
+      {"surface_samples", r.surface_samples},
+      {"shift", Json::array({r.shift.x, r.shift.y, r.shift.z})},
+      {"scale", r.scale},
+      {"spacing", r.spacing},
+      {"contradiction", r.contradiction},
+      {"cut_energy", r.cut_energy},
+      {"swap_energy", r.swap_energy},
+      {"swaps", r.swaps},
+      {"manifold_flips", r.manifold_flips},
+      {"specks", r.specks},
+      {"filled_faces", r.filled_faces},
+      {"filled_area", r.filled_area},
+      {"trimmed", r.trimmed},
+      {"features", to_object(r.features)},
+      {"stages", to_array(r.stages)},
+      {"certificate", to_object(r.certificate)},
+      {"warnings", r.warnings}};
   // File names in warnings need not be UTF-8: what is not becomes U+FFFD.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -22,6 +22,9 @@ Report full_report() {
   r.options.curvature = Curvature::cotangent;
   r.options.non_finite = NonFinite::drop;
   r.options.lambda = 0.1;
+  r.options.outliers = Outliers::keep;
+  r.stray_outliers = 7;
+  r.surface_outliers = 2;
   r.threads = 3;
   r.input_points = 18446744073709551615u;
   r.shift = {1.5, -2.5, 1e300};
@@ -47,8 +50,10 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "input_points",
                                                   "non_finite_points",
                                                   "duplicate_points",
+                                                  "outliers_removed",
                                                   "samples",
                                                   "background_points",
+                                                  "feature_points",
                                                   "tetrahedra",
                                                   "free_tetrahedra",
                                                   "surface_samples",
@@ -70,7 +75,8 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "warnings"}));
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
-                                      "swap", "keep_samples", "tetrahedra", "trim", "non_finite"}));
+                                      "swap", "keep_samples", "tetrahedra", "sharpen", "trim",
+                                      "non_finite", "outliers"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
                                                                  "sound",
                                                                  "closed",
@@ -103,6 +109,9 @@ TEST(ReportJson, KeepsValues) {
   EXPECT_EQ(json["options"]["method"], "paper");
   EXPECT_EQ(json["options"]["curvature"], "cotangent");
   EXPECT_EQ(json["options"]["non_finite"], "drop");
+  EXPECT_EQ(json["options"]["outliers"], "keep");
+  EXPECT_EQ(json["outliers_removed"]["stray"], 7);
+  EXPECT_EQ(json["outliers_removed"]["surface"], 2);
   EXPECT_EQ(json["options"]["lambda"].get<double>(), 0.1);
   EXPECT_EQ(json["options"]["swap"], true);
   EXPECT_EQ(json["input_points"].get<std::uint64_t>(), report.input_points);

@@ -72,10 +72,10 @@ TEST(Shapes, LeastAreaCutsEdgesOffAndCurvatureDoesNot) {
   const std::vector<Vec3> points = sample_feature(shape.mesh, many, 1);
   Options area;
   area.curvature = Curvature::area;
-  area.features = false;
+  area.sharpen = false;
   expect_exact(shape, points, area);
   Options curvature;
-  curvature.features = false;
+  curvature.sharpen = false;
   area.keep_samples = curvature.keep_samples = false;
   const double lost = -reconstruct_shape(shape, points, area).volume;
   EXPECT_GT(lost, 0.01);

@@ -1,0 +1,192 @@
+#include "feature/spikes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+
+#include "base/parallel.h"
+#include "base/vec.h"
+#include "cloud/nearest.h"
+
+namespace arris {
+namespace {
+
+// A spike is unexplained by this many spacings at least, by this many times what the worst of its
+// neighbours is, and by this many times what is usual in the cloud: the given quantile. Measured
+// over 8 variants of 38 clouds: 0.15, 4, 4 find a fifth more of the outliers, and lose twice the
+// samples.
+constexpr double least_height = 0.2, over_neighbours = 6, over_usual = 4, usual_quantile = 0.98;
+
+// Without a spike the surface must go on: its neighbours lie within this many spacings of their
+// middle. The apex of a cone sampled at the rim alone is no spike.
+constexpr double widest_ring = 4;
+
+// A triangle explains nothing if its area is below this share of the squared spacing: the planes of
+// slivers point anywhere.
+constexpr double smallest_area = 0.05;
+
+// A point off the surface looks at the triangles round this many points on it.
+constexpr std::size_t nearest_present = 4;
+
+// Triangles at every point, in compressed rows.
+class Umbrellas {
+ public:
+  Umbrellas(std::size_t points, const std::vector<Triangle>& triangles) : start_(points + 1, 0) {
+    for (const Triangle& t : triangles)
+      for (Index v : t) ++start_[v + 1];
+    for (std::size_t v = 0; v < points; ++v) start_[v + 1] += start_[v];
+    list_.resize(start_[points]);
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (Index v : triangles[t]) list_[next[v]++] = static_cast<Index>(t);
+  }
+  std::span<const Index> operator[](Index v) const noexcept {
+    return {list_.data() + start_[v], list_.data() + start_[v + 1]};
+  }
+
+ private:
+  std::vector<std::size_t> start_;
+  std::vector<Index> list_;
+};
+
+void make_set(std::vector<Index>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+class Finder {
+ public:
+  Finder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
+         const std::vector<double>& spacing)
+      : points_(points),
+        triangles_(triangles),
+        spacing_(spacing),
+        umbrellas_(points.size(), triangles),
+        height_(points.size(), 0) {
+    for (Index p = 0; p < points_.size(); ++p) {
+      if (!umbrellas_[p].empty()) present_.push_back(p);
+      (umbrellas_[p].empty() ? absent_points_ : present_points_).push_back(points_[p]);
+    }
+    present_tree_ = std::make_unique<NearestSample>(present_points_);
+    if (!absent_points_.empty()) absent_tree_ = std::make_unique<NearestSample>(absent_points_);
+  }
+
+  std::vector<std::uint8_t> run(Job& job) {
+    for_all(job, [&](Index p, Surroundings& s) {
+      look_round(p, s);
+      height_[p] = height_over(p, s.facets);
+    });
+    job.tick(0.7);
+    const double least = std::max(least_height, over_usual * usual_height());
+    std::vector<std::uint8_t> spike(points_.size(), 0);
+    for_all(job, [&](Index p, Surroundings& s) {
+      if (height_[p] <= least || std::isinf(height_[p]) || !has_surface_round(p, s)) return;
+      look_round(p, s);
+      spike[p] = height_[p] > over_neighbours * highest_at(s.facets) && is_narrow(p, s.ring);
+    });
+    return spike;
+  }
+
+ private:
+  // Buffers that a thread uses again and again.
+  struct Surroundings {
+    std::vector<Index> ring;    // joined to the point; off the surface the nearest on it
+    std::vector<Index> facets;  // triangles at the ring, but not at the point
+    std::vector<NearestSample::Hit> hits;
+  };
+
+  template <class Body>
+  void for_all(Job& job, Body&& body) const {
+    constexpr std::size_t grain = 4096;
+    parallel_chunks(points_.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+      Surroundings s;
+      for (std::size_t p = begin; p < end; ++p) body(static_cast<Index>(p), s);
+    });
+  }
+
+  void look_round(Index p, Surroundings& s) const {
+    s.ring.clear();
+    s.facets.clear();
+    for (Index t : umbrellas_[p])
+      for (Index v : triangles_[t])
+        if (v != p) s.ring.push_back(v);
+    if (s.ring.empty()) {
+      present_tree_->nearest(points_[p], nearest_present, s.hits);
+      for (const NearestSample::Hit& hit : s.hits) s.ring.push_back(present_[hit.index]);
+    }
+    make_set(s.ring);
+    for (Index v : s.ring)
+      for (Index t : umbrellas_[v])
+        if (std::find(triangles_[t].begin(), triangles_[t].end(), p) == triangles_[t].end())
+          s.facets.push_back(t);
+    make_set(s.facets);
+  }
+
+  // Whether the surface passes p by. If others that it leaves aside are nearer than the surface, a
+  // whole part is missing, and p may be right.
+  bool has_surface_round(Index p, Surroundings& s) const {
+    if (!umbrellas_[p].empty()) return true;
+    absent_tree_->nearest(points_[p], 2, s.hits);  // p and the nearest other
+    return s.hits.size() < 2 || s.hits[1].distance > (*present_tree_)(points_[p]).distance;
+  }
+
+  bool is_narrow(Index p, const std::vector<Index>& ring) const {
+    Vec3 middle;
+    for (Index v : ring) middle = middle + 1 / static_cast<double>(ring.size()) * points_[v];
+    return std::all_of(ring.begin(), ring.end(), [&](Index v) {
+      return distance(points_[v], middle) <= widest_ring * spacing_[p];
+    });
+  }
+
+  // Distance of p to the nearest of the planes, in spacings; infinity if there is none.
+  double height_over(Index p, const std::vector<Index>& facets) const {
+    double least = std::numeric_limits<double>::infinity();
+    const double h = spacing_[p];
+    for (Index t : facets) {
+      const Vec3 a = points_[triangles_[t][0]];
+      const Vec3 normal = cross(points_[triangles_[t][1]] - a, points_[triangles_[t][2]] - a);
+      const double twice_area = length(normal);
+      if (twice_area < 2 * smallest_area * h * h) continue;
+      least = std::min(least, std::abs(dot(points_[p] - a, normal)) / (twice_area * h));
+    }
+    return least;
+  }
+
+  double highest_at(const std::vector<Index>& facets) const {
+    double highest = 0;
+    for (Index t : facets)
+      for (Index v : triangles_[t]) highest = std::max(highest, height_[v]);
+    return highest;
+  }
+
+  double usual_height() const {
+    std::vector<double> heights;
+    for (Index p : present_) heights.push_back(height_[p]);
+    const auto rank =
+        static_cast<std::ptrdiff_t>(usual_quantile * static_cast<double>(heights.size() - 1));
+    std::nth_element(heights.begin(), heights.begin() + rank, heights.end());
+    return heights[static_cast<std::size_t>(rank)];
+  }
+
+  const std::vector<Vec3>& points_;
+  const std::vector<Triangle>& triangles_;
+  const std::vector<double>& spacing_;
+  Umbrellas umbrellas_;
+  std::vector<double> height_;
+  std::vector<Index> present_;  // points on the surface
+  std::vector<Vec3> present_points_, absent_points_;
+  std::unique_ptr<NearestSample> present_tree_, absent_tree_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> find_spikes(const std::vector<Vec3>& points,
+                                      const std::vector<Triangle>& triangles,
+                                      const std::vector<double>& spacing, Job& job) {
+  if (triangles.empty()) return std::vector<std::uint8_t>(points.size(), 0);
+  return Finder(points, triangles, spacing).run(job);
+}
+
+}  // namespace arris
