@@ -133,11 +133,18 @@ void add_method_options(CLI::App& app, Options& options) {
       {"auto", Outliers::by_method}, {"drop", Outliers::drop}, {"keep", Outliers::keep}};
   add_choice(app, "--outliers", outliers, options.outliers,
              "Points that belong to no surface: dropped, but for --method paper");
+  app.add_option("--noise", options.noise,
+                 "Standard deviation of the noise, in the unit of the points; 0 leaves the points "
+                 "where they are (estimated by default, 0 with --method paper)")
+      ->check(number_in(0, 1e300, "a number from 0"));
   app.add_flag_callback(
       "--no-swap", [&options] { options.swap = false; }, "Leave the swaps out");
   app.add_flag_callback(
       "--free-samples", [&options] { options.keep_samples = false; },
       "Let swaps take samples off the surface, to compare with: edges are lost");
+  app.add_flag_callback(
+      "--no-sharpen", [&options] { options.sharpen = false; },
+      "Add no points on edges and corners that no sample lies on");
   app.add_flag_callback(
       "--drop-non-finite", [&options] { options.non_finite = NonFinite::drop; },
       "Leave out points with NaN or infinite coordinates instead of refusing them");

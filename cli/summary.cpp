@@ -55,6 +55,9 @@ void print_summary(const std::string& path, const Report& report, double seconds
     std::printf("  certificate  open, manifold, oriented, free of self-intersections\n");
   else
     std::printf("  certificate  FAILED: %s\n", mesh.first_defect.c_str());
+  if (report.moved_samples > 0)
+    std::printf("  noise        %s (median), %s moved\n", short_number(report.noise_median).c_str(),
+                counted(report.moved_samples, "sample").c_str());
   std::printf("  evidence     %s %% contradicts the result\n",
               short_number(100 * report.contradiction).c_str());
   std::printf("  features     %s, %s, %s\n", counted(report.features.curves, "curve").c_str(),
@@ -74,10 +77,14 @@ void print_details(const Report& report) {
   std::printf("details\n");
   count("samples", report.samples);
   count("background points", report.background_points);
+  count("feature points", report.feature_points);
   count("tetrahedra", report.tetrahedra);
   count("free tetrahedra", report.free_tetrahedra);
   count("samples on the surface", report.surface_samples);
   line("sample spacing", short_number(report.spacing));
+  line("noise, median", short_number(report.noise_median));
+  line("noise, highest", short_number(report.noise_highest));
+  count("samples moved", report.moved_samples);
   line("lambda", short_number(report.options.lambda));
   count("swaps", report.swaps);
   count("manifold flips", report.manifold_flips);

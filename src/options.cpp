@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/failure.h"
@@ -34,6 +35,9 @@ Options resolve_options(Options options) {
     refuse("cycles", std::to_string(options.cycles), "1 to 100, or 0 for the default");
   if (!(options.background <= most_background))
     refuse("background", std::to_string(options.background), "at most 1000 points per sample");
+  if (std::isnan(options.noise) || options.noise == std::numeric_limits<double>::infinity())
+    refuse("noise", std::to_string(options.noise), "a length of at least 0, or less for automatic");
+  if (options.noise < 0) options.noise = paper ? 0 : -1;
   const bool area = options.curvature == Curvature::area;
   if (options.cycles == 0) options.cycles = paper && !area ? paper_cycles : automatic_cycles;
   if (options.background < 0) options.background = paper ? paper_background : 0;

@@ -9,8 +9,10 @@ namespace {
 
 // Where point v of the mesh lies for the user.
 Vec3 user_position(const PointCloud& cloud, const Samples& samples, const TetMesh& mesh, Index v) {
-  return mesh.is_sample(v) ? cloud.positions[samples.source[v]]
-                           : samples.frame.to_user(mesh.points[v]);
+  if (!mesh.is_sample(v)) return samples.frame.to_user(mesh.points[v]);
+  const Vec3 given = cloud.positions[samples.source[v]];
+  return samples.frame.to_local(given) == mesh.points[v] ? given
+                                                         : samples.frame.to_user(mesh.points[v]);
 }
 
 std::vector<Attribute> pick_attributes(const PointCloud& cloud, const std::vector<Index>& source) {
@@ -36,9 +38,10 @@ Mesh output_mesh(const PointCloud& cloud, const Samples& samples, const TetMesh&
     out.source.push_back(mesh.is_sample(v) ? samples.source[v] : no_index);
   }
   out.attributes = pick_attributes(cloud, out.source);
-  const bool only_samples =
-      std::find(out.source.begin(), out.source.end(), no_index) == out.source.end();
-  out.position_type = only_samples ? cloud.position_type : ScalarType::f64;
+  bool only_given = true;
+  for (std::size_t v = 0; v < out.vertices.size() && only_given; ++v)
+    only_given = out.source[v] != no_index && out.vertices[v] == cloud.positions[out.source[v]];
+  out.position_type = only_given ? cloud.position_type : ScalarType::f64;
   return out;
 }
 

@@ -11,8 +11,9 @@
 
 namespace arris {
 
-// The boundary of the labels. Vertices that are samples have the coordinates (bit for bit) and
-// attributes of their input point; background points have attribute value 0.
+// The boundary of the labels. Vertices that are samples have the attributes of their input point
+// and, unless the noise stage moved them, its coordinates bit for bit; background points have
+// attribute value 0.
 Mesh output_mesh(const PointCloud& cloud, const Samples& samples, const TetMesh& mesh,
                  const Labels& labels);
 

@@ -15,12 +15,14 @@
 #include "describe.h"
 #include "feature/spikes.h"
 #include "forecast.h"
+#include "noise/denoise.h"
 #include "options.h"
 #include "output.h"
 #include "seed/seeds.h"
 #include "seed/transfer.h"
 #include "stage.h"
 #include "surface/certify.h"
+#include "surface/extract.h"
 #include "tetra/background.h"
 #include "tetra/delaunay.h"
 #include "tetra/geometry.h"
@@ -30,10 +32,13 @@ namespace {
 
 // Shares of the whole time, for the progress bar; measured at a million points.
 struct Shares {
-  double samples, outliers, delaunay, seeds, background, cut, swap, features, check;
+  double samples, outliers, noise, delaunay, seeds, background, cut, swap, features, check;
 };
-constexpr Shares automatic_shares = {0.01, 0.12, 0.04, 0, 0.03, 0.17, 0.43, 0.03};
-constexpr Shares paper_shares = {0.01, 0.04, 0.02, 0.45, 0.28, 0.15, 0, 0.05};
+constexpr Shares automatic_shares = {0.01, 0.02, 0.04, 0.10, 0.04, 0, 0.03, 0.13, 0.40, 0.03};
+constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0.03};
+
+// A spike can hide another, rarely a third.
+constexpr int most_spike_rounds = 2;
 
 Stage seed_samples(const Samples& samples, const Options& options, const Shares& shares, Job& job) {
   Stage stage;
@@ -47,6 +52,19 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
+}
+
+// Moves the samples onto the surface that they were measured of.
+void remove_noise(const Options& options, double share, Samples& samples, Report& report,
+                  Job& job) {
+  job.stage("noise", share);
+  const double scale = samples.frame.scale;
+  const Denoised clean =
+      denoise(samples.points, options.noise < 0 ? -1 : options.noise * scale, job);
+  report.noise_median = clean.median_level / scale;
+  report.noise_highest = clean.highest_level / scale;
+  report.moved_samples = clean.moved;
+  if (clean.moved > 0) replace_points(clean.points, samples);
 }
 
 // Delaunay of samples and background points, with the seeds of the samples alone (paper, section
@@ -109,7 +127,7 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
 // Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
 // and the surface is cut anew, until there is nothing to add. The rounds between the first and the
 // last surface go without swaps.
-void sharpen(Stage& stage, std::size_t samples, double share, Labels& labels, Report& report,
+void sharpen(Stage& stage, const Samples& samples, double share, Labels& labels, Report& report,
              Job& job) {
   constexpr int rounds = 2;
   std::vector<FeaturePoint> features;
@@ -155,6 +173,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     job.stage("outliers", shares.outliers);
     report.stray_outliers = drop_samples(samples, find_outliers(samples.points, job));
   }
+  if (options.noise != 0) remove_noise(options, shares.noise, samples, report, job);
   Stage stage = make_stage(samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   for (int round = 0; options.outliers == Outliers::drop && round < most_spike_rounds; ++round) {
@@ -169,7 +188,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   job.stage("swap", shares.swap);
   if (options.swap) run_swaps(stage, labels, report, job);
   if (options.sharpen) {
-    sharpen(stage, samples.points.size(), shares.features, labels, report, job);
+    sharpen(stage, samples, shares.features, labels, report, job);
     job.stage("swap again", shares.swap);
     if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);
     stage.mesh.samples = samples.points.size();

@@ -73,9 +73,10 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
   report.swaps = swaps.accepted;
 }
 
-Stage add_features(const Stage& stage, const Labels& labels, std::size_t samples,
+Stage add_features(const Stage& stage, const Labels& labels, const Samples& given,
                    std::vector<FeaturePoint>& features, Job& job) {
   Stage next;
+  const std::size_t samples = given.points.size();
   const std::size_t known = features.size();
   const FacetMesh facets = facets_of(stage, labels, job.threads());
   const Sensed sensed =
@@ -88,6 +89,7 @@ Stage add_features(const Stage& stage, const Labels& labels, std::size_t samples
   std::vector<Index> near;
   next.model = stage.model;
   for (std::size_t k = known; k < features.size(); ++k) {
+    features[k].position = given.frame.to_local(given.frame.to_user(features[k].position));
     points.push_back(features[k].position);
     near.push_back(features[k].near);
     next.model.spacing.push_back(features[k].spacing);

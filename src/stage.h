@@ -7,6 +7,7 @@
 #include "arris/options.h"
 #include "arris/report.h"
 #include "base/job.h"
+#include "cloud/prepare.h"
 #include "cut/surface_cut.h"
 #include "energy/model.h"
 #include "feature/candidates.h"
@@ -31,8 +32,8 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job);
 
 // Adds the feature points that the surface of `labels` lets sense to `features`; returns the stage
 // that has them among its points, or nothing (no points) if there is none to add. Points
-// [samples ..) of a stage are the features.
-Stage add_features(const Stage& stage, const Labels& labels, std::size_t samples,
+// [samples ..) of a stage are the features, where the user's frame can hold them exactly.
+Stage add_features(const Stage& stage, const Labels& labels, const Samples& samples,
                    std::vector<FeaturePoint>& features, Job& job);
 
 }  // namespace arris

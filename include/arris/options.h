@@ -58,6 +58,12 @@ struct Options {
   NonFinite non_finite = NonFinite::refuse;
 
   Outliers outliers = Outliers::by_method;
+
+  // Standard deviation of the measurement noise along the surface normal, in the user's unit:
+  // samples are moved by up to about three of it onto the surface that they agree on. 0: samples
+  // stay where they are. Negative: the default of the method (estimated from the samples, place by
+  // place, for automatic; 0 for paper).
+  double noise = -1;
 };
 
 }  // namespace arris

@@ -54,6 +54,11 @@ struct Report {
   std::uint64_t swaps = 0;           // accepted
   std::uint64_t manifold_flips = 0;  // tetrahedra relabelled to make the surface a 2-manifold
 
+  // The noise stage: standard deviation of the noise along the surface normal (user's unit), its
+  // median and its highest over the samples, and how many samples were moved.
+  double noise_median = 0, noise_highest = 0;
+  std::uint64_t moved_samples = 0;
+
   std::uint64_t specks = 0;  // parts and voids too small to be meant, removed
 
   std::uint64_t filled_faces = 0;  // that no sample supports: Reconstruction::filled

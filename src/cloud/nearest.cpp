@@ -58,6 +58,9 @@ void NearestSample::nearest(Vec3 query, std::size_t k, std::vector<Hit>& hits) c
   tree_->index.findNeighbors(result, at, nanoflann::SearchParams());
   hits.resize(k);
   for (std::size_t i = 0; i < k; ++i) hits[i] = {index[i], std::sqrt(squared[i])};
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
+  });
 }
 
 }  // namespace arris

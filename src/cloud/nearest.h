@@ -1,4 +1,4 @@
-// The nearest sample to any point, by a k-d tree (nanoflann, hidden in nearest.cpp).
+// The nearest samples to any point, by a k-d tree (nanoflann, hidden in nearest.cpp).
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,7 @@ class NearestSample {
   };
   // O(log n). Safe to call from several threads.
   Hit operator()(Vec3 query) const;
-
-  // The k nearest, nearest first; fewer if there are fewer points. Of equally near ones that are
-  // the last, which are named depends on the order of the points alone. O(k + log n).
+  // The k nearest (all, if there are fewer), nearest first; equally near ones by index. O(k log n).
   void nearest(Vec3 query, std::size_t k, std::vector<Hit>& hits) const;
 
  private:

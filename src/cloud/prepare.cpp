@@ -143,4 +143,24 @@ Samples prepare_samples(const std::vector<Vec3>& positions, NonFinite policy, Jo
   return samples;
 }
 
+void replace_points(const std::vector<Vec3>& points, Samples& samples) {
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return points[a] == points[b] ? a < b : lexicographic_less(points[a], points[b]);
+  });
+  std::vector<bool> repeated(points.size(), false);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    repeated[order[k]] = points[order[k]] == points[order[k - 1]];
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (repeated[i]) continue;
+    samples.points[kept] = {points[i].x + 0.0, points[i].y + 0.0, points[i].z + 0.0};
+    samples.source[kept++] = samples.source[i];
+  }
+  samples.duplicates += points.size() - kept;
+  samples.points.resize(kept);
+  samples.source.resize(kept);
+}
+
 }  // namespace arris

@@ -40,4 +40,8 @@ struct Samples {
 // `source` among duplicates.
 Samples prepare_samples(const std::vector<Vec3>& positions, NonFinite policy, Job& job);
 
+// Gives every sample a new place (local frame); of several that come to the same place the first
+// stays and the others count as duplicates. O(n log n).
+void replace_points(const std::vector<Vec3>& points, Samples& samples);
+
 }  // namespace arris

@@ -67,7 +67,8 @@ Json to_object(const Options& o) {
           {"sharpen", o.sharpen},
           {"trim", o.trim},
           {"non_finite", text(o.non_finite)},
-          {"outliers", text(o.outliers)}};
+          {"outliers", text(o.outliers)},
+          {"noise", o.noise}};
 }
 
 Json to_object(const Certificate& c) {
@@ -140,6 +141,9 @@ std::string to_json(const Report& r) {
       {"swaps", r.swaps},
       {"manifold_flips", r.manifold_flips},
       {"specks", r.specks},
+      {"noise_median", r.noise_median},
+      {"noise_highest", r.noise_highest},
+      {"moved_samples", r.moved_samples},
       {"filled_faces", r.filled_faces},
       {"filled_area", r.filled_area},
       {"trimmed", r.trimmed},

@@ -40,6 +40,8 @@ const Row rows[] = {
      "--lambda: must be a number from 0 to 1000000, not 'nan'"},
     {"LambdaInfinite", "reconstruct in.xyz -o out.ply --lambda inf",
      "--lambda: must be a number from 0 to 1000000, not 'inf'"},
+    {"NoiseNegative", "reconstruct in.xyz -o out.ply --noise -1",
+     "--noise: must be a number from 0, not '-1'"},
     {"LambdaWord", "reconstruct in.xyz -o out.ply --lambda much",
      "--lambda: must be a number from 0 to 1000000, not 'much'"},
     {"CyclesZero", "reconstruct in.xyz -o out.ply --cycles 0",

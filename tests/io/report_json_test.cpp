@@ -66,6 +66,9 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "swaps",
                                                   "manifold_flips",
                                                   "specks",
+                                                  "noise_median",
+                                                  "noise_highest",
+                                                  "moved_samples",
                                                   "filled_faces",
                                                   "filled_area",
                                                   "trimmed",
@@ -76,7 +79,7 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
                                       "swap", "keep_samples", "tetrahedra", "sharpen", "trim",
-                                      "non_finite", "outliers"}));
+                                      "non_finite", "outliers", "noise"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
                                                                  "sound",
                                                                  "closed",

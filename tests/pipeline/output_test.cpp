@@ -33,6 +33,28 @@ PointCloud coloured_cube(std::size_t n) {
   return cloud;
 }
 
+TEST(Output, MovedSamplesKeepTheirAttributes) {
+  PointCloud cloud = blue_cloud("cube", 3000);
+  add_noise(cloud.positions, 0.006, 2);
+  cloud.attributes.push_back({"ramp", ScalarType::f64, ramp(cloud.positions.size(), 1, 2)});
+  const Result<Reconstruction> r = reconstruct(cloud);
+  ASSERT_TRUE(r) << said(r);
+  EXPECT_GT(r->report.moved_samples, 2900u);
+  EXPECT_NEAR(r->report.noise_median, 0.006, 0.0012);
+  ASSERT_EQ(r->mesh.attributes.size(), 1u);
+  for (std::size_t v = 0; v < r->mesh.vertices.size(); ++v) {
+    const Index s = r->mesh.source[v];
+    ASSERT_NE(s, no_index);
+    EXPECT_EQ(r->mesh.attributes[0].values[v], cloud.attributes[0].values[s]);
+  }
+  Options still;
+  still.noise = 0;
+  const Result<Reconstruction> unmoved = reconstruct(cloud, still);
+  ASSERT_TRUE(unmoved) << said(unmoved);
+  for (std::size_t v = 0; v < unmoved->mesh.vertices.size(); ++v)
+    EXPECT_EQ(unmoved->mesh.vertices[v], cloud.positions[unmoved->mesh.source[v]]);
+}
+
 TEST(Output, VerticesKeepTheirPointBitForBit) {
   const PointCloud cloud = coloured_cube(1200);
   const Result<Reconstruction> r = reconstruct(cloud);

@@ -1,0 +1,285 @@
+#include "noise/noise_level.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "base/vec.h"
+#include "noise/height_fit.h"
+
+namespace arris {
+namespace {
+
+// Sizes of the neighbourhoods. The smallest leaves a quadric six degrees of freedom; the larger
+// ones serve where the noise exceeds the spacing and a small neighbourhood is not flat.
+constexpr std::array<std::size_t, 6> sizes = {12, 24, 48, 96, 192, 384};
+
+// A neighbourhood shows the surface, not only the noise, if it is this many times wider than deep.
+constexpr double flatness = 4;
+
+// Deviations of places nearby are pooled by this quantile: an edge may run through two thirds of
+// the neighbourhoods.
+constexpr double pooled_quantile = 0.3, normal_quantile = -0.5244;
+constexpr std::size_t pooled_sites = 32;
+
+// Noise leaves the deviation as it is when the neighbourhood doubles; an edge raises it by 1.41,
+// curvature by 2.8 and more.
+constexpr double noise_growth = 1.2;
+constexpr double curvature_growth = 8;  // of the variance: the square of 2.8
+
+// Noise leaves the deviation as it is also in the smallest neighbourhood of all, from a plane;
+// there facets and steps of the surface itself show less (they are flat) and curvature shows more.
+constexpr std::size_t plane_size = 6;
+constexpr double least_plane_share = 0.6, most_plane_share = 1.35;
+
+// Six samples with noise are never flat: less than this share of the usual deviation has a chance
+// of a hundred thousandth. Two such places of 32 are proof of an edged surface without noise.
+constexpr double flat_share = 0.02;
+constexpr std::ptrdiff_t fewest_flat = 2;
+
+// Residuals of two sheets taken for one have two humps: a kurtosis below 2, where noise has 3.
+constexpr double least_kurtosis = 2.2;
+
+// Every so manyth sample is a place to measure at, in clouds with enough of them.
+constexpr std::size_t fewest_sites = 1000, longest_stride = 4;
+
+// Noise below this share of the spacing turns facets by less than half a degree: left alone.
+constexpr double least_noise = 0.004;
+
+// A cloud has noise if so many of its places say so. Of 190 clean clouds the highest shares are
+// 0.13, 0.42 and 0.45 (facets as wide as the spacing; a scanned rocker arm).
+constexpr double least_by_all = 0.25, least_by_quadrics = 0.6, least_by_plane = 0.6;
+
+// A place without a clear level of its own takes that of the 32 nearest if so many of them have
+// one.
+constexpr double least_near = 0.3;
+
+// The level of a sample is the median of those of the nearest places.
+constexpr std::size_t smoothing_sites = 8;
+
+constexpr double unknown = -1;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Deviations from quadrics of growing size at one place.
+struct Curve {
+  std::array<double, sizes.size()> deviation{};
+  std::array<double, sizes.size()> radius{};
+  double plane = 0;       // deviation of the nearest few from a plane
+  bool flat = false;      // pooled: some of the places nearby are exactly flat
+  std::size_t known = 0;  // sizes measured
+};
+
+// The pooled quantile of a deviation with so many degrees of freedom, over the true deviation
+// (Wilson and Hilferty's approximation of the chi-squared distribution, 1931).
+double quantile_of_deviation(double freedom) {
+  const double v = 2 / (9 * freedom);
+  return std::pow(1 - v + normal_quantile * std::sqrt(v), 1.5);
+}
+
+double pooled_deviation(const HeightFit& fit, const std::vector<Vec3>& local) {
+  if (fit.terms == 0) return infinity;
+  const double freedom = static_cast<double>(local.size()) - fit.terms;
+  return residual_deviation(fit, local) / quantile_of_deviation(freedom);
+}
+
+// Fourth moment of the residuals over the square of the second.
+double kurtosis(const HeightFit& fit, const std::vector<Vec3>& local) {
+  double second = 0, fourth = 0;
+  for (Vec3 p : local) {
+    const double r = p.z - fit.height(p.x, p.y);
+    second += r * r;
+    fourth += r * r * r * r;
+  }
+  return second > 0 ? fourth * static_cast<double>(local.size()) / (second * second) : 3;
+}
+
+void measure(const std::vector<Vec3>& points, Vec3 centre,
+             const std::vector<NearestSample::Hit>& hits, std::size_t level, Curve& curve) {
+  const std::size_t n = sizes[level];
+  std::vector<Vec3> patch(n);
+  for (std::size_t i = 0; i < n; ++i) patch[i] = points[hits[i].index];
+  const Frame frame = frame_at(centre, least_variance_direction(patch));
+  for (Vec3& p : patch) p = frame.to_frame(p);
+  const double radius = hits[n - 1].distance;
+  curve.radius[level] = radius;
+  const HeightFit fit = fit_heights(frame, patch, radius, quadric_terms);
+  curve.deviation[level] = pooled_deviation(fit, patch);
+  curve.known = level + 1;
+  if (level > 0) {
+    if (fit.terms > 0 && kurtosis(fit, patch) < least_kurtosis) curve.deviation[level] = infinity;
+    return;
+  }
+  patch.resize(plane_size);
+  curve.plane = pooled_deviation(
+      fit_heights(frame, patch, hits[plane_size - 1].distance, plane_terms), patch);
+}
+
+Curve measure_curve(const std::vector<Vec3>& points, const NearestSample& tree, Vec3 centre) {
+  Curve curve;
+  std::vector<NearestSample::Hit> hits;
+  for (std::size_t level = 0; level < sizes.size(); ++level) {
+    if (points.size() < 2 * sizes[level]) break;
+    if (level > 1 && curve.deviation[level - 2] * flatness < curve.radius[level - 2]) break;
+    if (hits.size() < sizes[level])
+      tree.nearest(centre, sizes[std::max<std::size_t>(level, 1)], hits);
+    if (hits.size() < sizes[level]) break;
+    measure(points, centre, hits, level, curve);
+  }
+  return curve;
+}
+
+double quantile(std::vector<double>& values) {
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(pooled_quantile * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// What the pooled curve of a place says.
+struct Verdict {
+  double level = unknown;
+  // Which pairs of sizes agree on it: two quadrics, of which the smaller agrees with the plane too,
+  // or exceeds it no less; and the smallest quadric with the plane.
+  bool by_all = false, by_quadrics = false, by_plane = false;
+};
+
+Verdict judge(const Curve& c) {
+  Verdict v;
+  if (c.known == 0) return v;
+  if (c.flat && c.deviation[0] >= least_noise * c.radius[0]) return v;
+  const double share = c.plane / c.deviation[0];
+  v.by_plane = c.deviation[0] >= least_noise * c.radius[0] && share > least_plane_share &&
+               share < most_plane_share;
+  if (v.by_plane) v.level = std::min(c.deviation[0], c.plane);
+  for (std::size_t j = 0; j + 1 < c.known; ++j) {
+    const double here = c.deviation[j], above = c.deviation[j + 1];
+    if (here * flatness > c.radius[j]) continue;
+    if (here < least_noise * c.radius[j]) {
+      v.level = 0;
+      return v;
+    }
+    v.by_quadrics = above < noise_growth * here && share > least_plane_share;
+    v.by_all = v.by_quadrics && v.by_plane;
+    if (v.by_quadrics) {
+      const double curved = std::max(0.0, above * above - here * here) / (curvature_growth - 1);
+      v.level = std::sqrt(here * here - curved);
+    }
+    return v;
+  }
+  return v;
+}
+
+// Pools the curves of the sites nearby.
+Curve pool(const std::vector<Curve>& curves, const std::vector<NearestSample::Hit>& hits) {
+  Curve pooled;
+  std::vector<double> deviations, radii, planes;
+  for (const auto& h : hits)
+    if (curves[h.index].known > 0) planes.push_back(curves[h.index].plane);
+  if (!planes.empty()) pooled.plane = quantile(planes);
+  const auto flat = std::count_if(planes.begin(), planes.end(),
+                                  [&](double d) { return d < flat_share * pooled.plane; });
+  pooled.flat = flat >= fewest_flat;
+  for (std::size_t j = 0; j < sizes.size(); ++j) {
+    deviations.clear();
+    radii.clear();
+    for (const auto& h : hits)
+      if (curves[h.index].known > j) {
+        deviations.push_back(curves[h.index].deviation[j]);
+        radii.push_back(curves[h.index].radius[j]);
+      }
+    if (2 * deviations.size() < hits.size()) break;
+    pooled.deviation[j] = quantile(deviations);
+    pooled.radius[j] = quantile(radii);
+    pooled.known = j + 1;
+  }
+  return pooled;
+}
+
+double median(std::vector<double>& values) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// Is there noise in this cloud at all? Clean ones have places that look noisy.
+bool is_noisy(const std::vector<Verdict>& verdicts) {
+  double all = 0, quadrics = 0, plane = 0;
+  for (const Verdict& v : verdicts) {
+    all += v.by_all ? 1 : 0;
+    quadrics += v.by_quadrics ? 1 : 0;
+    plane += v.by_plane ? 1 : 0;
+  }
+  const double n = static_cast<double>(verdicts.size());
+  return all >= least_by_all * n || quadrics >= least_by_quadrics * n ||
+         plane >= least_by_plane * n;
+}
+
+// The level at a site whose own curve is not that of noise alone: that of the places nearby.
+double borrowed_level(const std::vector<double>& levels, const Curve& own,
+                      const std::vector<NearestSample::Hit>& hits, double usual) {
+  std::vector<double> near;
+  for (const auto& h : hits)
+    if (levels[h.index] != unknown) near.push_back(levels[h.index]);
+  const double level =
+      static_cast<double>(near.size()) < least_near * static_cast<double>(hits.size())
+          ? usual
+          : median(near);
+  return own.known > 0 ? std::min(level, own.deviation[0]) : level;
+}
+
+}  // namespace
+
+std::vector<double> estimate_noise(const std::vector<Vec3>& points, const NearestSample& tree,
+                                   Job& job) {
+  const std::size_t stride =
+      std::clamp<std::size_t>(points.size() / fewest_sites, 1, longest_stride);
+  std::vector<Vec3> sites;
+  for (std::size_t i = 0; i < points.size(); i += stride) sites.push_back(points[i]);
+  std::vector<Curve> curves(sites.size()), pooled(sites.size());
+  parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) curves[i] = measure_curve(points, tree, sites[i]);
+  });
+  const NearestSample site_tree(sites);
+  std::vector<Verdict> verdicts(sites.size());
+  parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    std::vector<NearestSample::Hit> hits;
+    for (std::size_t i = begin; i < end; ++i) {
+      site_tree.nearest(sites[i], pooled_sites, hits);
+      pooled[i] = pool(curves, hits);
+      verdicts[i] = judge(pooled[i]);
+    }
+  });
+  std::vector<double> result(points.size(), 0);
+  if (!is_noisy(verdicts)) return result;
+
+  std::vector<double> levels, accepted;
+  for (const Verdict& v : verdicts) {
+    levels.push_back(v.level);
+    if (v.level != unknown) accepted.push_back(v.level);
+  }
+  const double usual = accepted.empty() ? infinity : median(accepted);
+  std::vector<double> filled = levels;
+  parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    std::vector<NearestSample::Hit> hits;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (levels[i] != unknown) continue;
+      site_tree.nearest(sites[i], pooled_sites, hits);
+      filled[i] = borrowed_level(levels, pooled[i], hits, usual);
+    }
+  });
+  parallel_chunks(points.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    std::vector<NearestSample::Hit> hits;
+    std::vector<double> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      site_tree.nearest(points[i], smoothing_sites, hits);
+      near.clear();
+      for (const auto& h : hits) near.push_back(filled[h.index]);
+      result[i] = median(near);
+    }
+  });
+  return result;
+}
+
+}  // namespace arris

@@ -1,0 +1,29 @@
+// From noisy samples to the surface that the patches round them agree on, features kept.
+//
+// A sample takes the patches of its neighbours that reach it and that it fits; next to an edge
+// these are patches of its own side, whose middles lie away from the edge (the choice of Kuwahara's
+// filter, 1976, among overlapping windows). Where patches of two or three orientations fit, it goes
+// to whichever piece really extends to it, or to the edge or corner where they meet.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "arris/types.h"
+#include "base/job.h"
+#include "noise/adaptive_fit.h"
+
+namespace arris {
+
+struct Projection {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;  // unit, sign arbitrary; zero where unknown
+  std::vector<std::uint8_t>
+      pieces;  // 0 not moved, 1 on a smooth piece, 2 at an edge, 3 at a corner
+};
+
+// `fits` as fit_patches gave them. Complexity: O(n log n).
+Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
+                           const std::vector<PatchFit>& fits, Job& job);
+
+}  // namespace arris

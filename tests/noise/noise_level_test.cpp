@@ -1,0 +1,114 @@
+#include "noise/noise_level.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec.h"
+#include "support/job.h"
+#include "support/samplers.h"
+#include "support/shapes.h"
+
+namespace arris {
+namespace {
+
+using namespace test;
+
+double diagonal(const Mesh& mesh) {
+  Vec3 low = mesh.vertices[0], high = low;
+  for (Vec3 p : mesh.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return distance(low, high);
+}
+
+std::vector<double> sorted_levels(const std::vector<Vec3>& points, unsigned threads = 1) {
+  OneStageJob job(threads);
+  std::vector<double> level = estimate_noise(points, NearestSample(points), job);
+  std::sort(level.begin(), level.end());
+  return level;
+}
+
+std::vector<Vec3> rounded_to_float(std::vector<Vec3> points) {
+  const auto round = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  for (Vec3& p : points) p = {round(p.x), round(p.y), round(p.z)};
+  return points;
+}
+
+TEST(NoiseLevel, IsZeroOnBlueSamplesOfEveryShape) {
+  for (const Shape& shape : all_shapes())
+    EXPECT_EQ(sorted_levels(sample_blue(moved(shape.mesh, 5), 2000, 1)).back(), 0) << shape.name;
+}
+
+TEST(NoiseLevel, IsZeroOnUniformSamplesOfEveryShape) {
+  for (const Shape& shape : all_shapes())
+    EXPECT_EQ(sorted_levels(sample_uniform(moved(shape.mesh, 5), 2000, 1)).back(), 0) << shape.name;
+}
+
+TEST(NoiseLevel, IsZeroOnFeatureSamplesRoundedToFloat) {
+  for (const Shape& shape : all_shapes()) {
+    const Mesh mesh = moved(shape.mesh, 5);
+    EXPECT_EQ(sorted_levels(rounded_to_float(sample_feature(mesh, 2000, 1))).back(), 0)
+        << shape.name;
+  }
+}
+
+TEST(NoiseLevel, IsZeroOnAFewPoints) {
+  const std::vector<Vec3> points = sample_blue(cube().mesh, 11, 1);
+  EXPECT_EQ(sorted_levels(points).back(), 0);
+}
+
+TEST(NoiseLevel, IsThatOfTheNoise) {
+  for (const char* name : {"sphere", "torus", "two_cubes", "l_bracket"}) {
+    const Shape shape = make_shape(name);
+    const double size = diagonal(shape.mesh);
+    for (double share : {0.0005, 0.0025, 0.005}) {
+      std::vector<Vec3> points = sample_blue(shape.mesh, 4000, 1);
+      add_noise(points, share * size, 2);
+      const std::vector<double> level = sorted_levels(points);
+      if (level.back() == 0 && share < 0.001) continue;  // curvature may hide so little
+      EXPECT_NEAR(level[level.size() / 2] / (share * size), 1, 0.2) << name << " " << share;
+      EXPECT_GT(level[level.size() / 10] / (share * size), 0.7) << name << " " << share;
+      EXPECT_LT(level[level.size() * 9 / 10] / (share * size), 1.4) << name << " " << share;
+    }
+  }
+}
+
+TEST(NoiseLevel, ShowsItselfOnPlanesFromAFewHundredthsOfTheSpacing) {
+  std::vector<Vec3> points = sample_blue(cube().mesh, 4000, 1);
+  const double sigma = 0.03 * ideal_spacing(6, 4000);
+  add_noise(points, sigma, 2);
+  const std::vector<double> level = sorted_levels(points);
+  EXPECT_NEAR(level[level.size() / 2] / sigma, 1, 0.15);
+}
+
+TEST(NoiseLevel, LargerThanTheSpacing) {
+  std::vector<Vec3> points = sample_uniform(sphere().mesh, 12000, 1);
+  const double sigma = 1.5 * ideal_spacing(4 * 3.14159, 12000);
+  add_noise(points, sigma, 2);
+  const std::vector<double> level = sorted_levels(points);
+  EXPECT_NEAR(level[level.size() / 2] / sigma, 1, 0.25);
+}
+
+// One half of a ball is noisy: the level is that of each place.
+TEST(NoiseLevel, IsLocal) {
+  std::vector<Vec3> points = sample_blue(sphere().mesh, 6000, 1), noisy = points;
+  const double sigma = 0.2 * ideal_spacing(4 * 3.14159, 6000);
+  add_noise(noisy, sigma, 2);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].z > 0) points[i] = noisy[i];
+  OneStageJob job;
+  const std::vector<double> level = estimate_noise(points, NearestSample(points), job);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].z < -0.3) {
+      ASSERT_EQ(level[i], 0);
+    } else if (points[i].z > 0.3) {
+      ASSERT_NEAR(level[i] / sigma, 1, 0.4);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace arris
