@@ -25,7 +25,7 @@ struct EnergyModel {
   double lambda = 0.1;                          // in units of h^2, or of h with area
   Curvature curvature = Curvature::polyhedral;  // never by_method here
   std::vector<double> spacing;                  // h > 0 at every point of the TetMesh
-  Sides sides;                                  // empty before features are sensed
+  Sides sides = {};                             // empty before features are sensed
 };
 
 }  // namespace arris
