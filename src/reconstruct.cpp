@@ -59,12 +59,14 @@ void remove_noise(const Options& options, double share, Samples& samples, Report
                   Job& job) {
   job.stage("noise", share);
   const double scale = samples.frame.scale;
-  const Denoised clean =
+  Denoised clean =
       denoise(samples.points, options.noise < 0 ? -1 : options.noise * scale, job);
   report.noise_median = clean.median_level / scale;
   report.noise_highest = clean.highest_level / scale;
   report.moved_samples = clean.moved;
-  if (clean.moved > 0) replace_points(clean.points, samples);
+  if (clean.moved == 0) return;
+  for (Vec3& p : clean.points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
+  replace_points(clean.points, samples);
 }
 
 // Delaunay of samples and background points, with the seeds of the samples alone (paper, section

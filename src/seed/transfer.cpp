@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -14,6 +15,21 @@ Vec3 centroid(const TetMesh& mesh, Tet t) {
   const auto& v = mesh.vertices[t];
   return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
 }
+
+// The least height of a tetrahedron over one of its facets.
+double least_height(const TetMesh& mesh, Tet t) {
+  const auto& v = mesh.vertices[t];
+  const Vec3 a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]],
+             d = mesh.points[v[3]];
+  const double area =
+      std::max({squared_length(cross(b - a, c - a)), squared_length(cross(b - a, d - a)),
+                squared_length(cross(c - a, d - a)), squared_length(cross(c - b, d - b))});
+  return area > 0 ? std::abs(dot(b - a, cross(c - a, d - a))) / std::sqrt(area) : 0;
+}
+
+// A flatter tetrahedron (in units of spacing) lies within the surface, or bridges coplanar faces of
+// it: what holds its centroid is chance.
+constexpr double firm_height = 0.1;
 
 }  // namespace
 
@@ -64,7 +80,9 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     const Index v = *std::min_element(corners.begin(), corners.end());
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
     result.label[t] = labels[locate(coarse, centroid(fine, t), star[known])];
-    result.firm[t] = balls[t].radius > firm_radius * mean_spacing(fine, spacing, t);
+    const double h = mean_spacing(fine, spacing, t);
+    result.firm[t] =
+        balls[t].radius > firm_radius * h && least_height(fine, t) > firm_height * h;
   });
   return result;
 }

@@ -17,7 +17,7 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
 
 // The same where the points of `fine` are those of `coarse` and then points added on the surface:
 // every tetrahedron takes the label of the tetrahedron of `coarse` that holds its centroid. It is
-// firm if its ball is large, as in find_seeds. `near`: for each added point one of `coarse` near
+// firm if its ball is large, as in find_seeds, and it is not flat. `near`: for each added point one of `coarse` near
 // it.
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Index>& near,

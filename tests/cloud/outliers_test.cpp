@@ -134,7 +134,7 @@ TEST(Outliers, ClumpsGo) {
 }
 
 TEST(Outliers, DroppedSamplesTakeTheirSourceAlong) {
-  Samples samples;
+  arris::Samples samples;
   samples.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   samples.source = {4, 3, 2, 0};
   EXPECT_EQ(drop_samples(samples, {0, 1, 0, 1}), 2u);
