@@ -24,7 +24,7 @@ struct Sides {
 struct EnergyModel {
   double lambda = 0.1;                          // in units of h^2, or of h with area
   Curvature curvature = Curvature::polyhedral;  // never by_method here
-  std::vector<double> spacing;                  // h > 0 at every point of the TetMesh
+  std::vector<double> spacing = {};             // h > 0 at every point of the TetMesh
   Sides sides = {};                             // empty before features are sensed
 };
 
