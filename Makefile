@@ -3,7 +3,9 @@
 #   make            the release: build/arris
 #   make demo       install what is needed, reconstruct a real scan, and draw it
 #   make test       install what is needed, build and run every test
-#   make bench      time and memory over sizes, against CGAL's Delaunay (BENCH_SIZES)
+#   make bench      quality, the paper's table and figures, time and memory: a page, in minutes
+#   make bench-full the same of everything, in hours; goes on where it was stopped
+#   make peers      install what the benchmark compares arris with
 #   make sanitize   the test suite under ASan and UBSan (clang)
 #   make tsan       the tests of threads under TSan (clang)
 #   make fuzz       every fuzz target for FUZZ_SECONDS seconds (clang)
@@ -12,7 +14,13 @@
 BUILD ?= build
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 5
-BENCH_SIZES ?= 10000 100000 1000000
+# BENCH_QUICK=1: under two minutes, without peers. BENCH_SIZES: points of the speed suite.
+# BENCH_OPTIONS: more options of bench/benchmark.py.
+BENCH_QUICK ?=
+BENCH_SIZES ?=
+BENCH_OPTIONS ?=
+BENCHMARK = python3 bench/benchmark.py --build $(BUILD) \
+  $(if $(BENCH_SIZES),--sizes '$(BENCH_SIZES)') $(BENCH_OPTIONS)
 # Tests that run more than one thread, for TSan, by name; and the executables that have them.
 TSAN_TESTS ?= Parallel|Thread
 TSAN_TARGETS ?= test_base test_cut test_seed test_swap test_surface test_pipeline
@@ -28,7 +36,7 @@ SOURCES = $(shell find include src cli tests bench viewer examples \
   \( -name '*.cpp' -o -name '*.h' -o -name '*.cu' \) 2>/dev/null | sort)
 TIDY_SOURCES ?= $(shell find src cli -name '*.cpp' | sort)
 
-.PHONY: all demo test bench dependencies sanitize tsan fuzz format format-check tidy
+.PHONY: all demo test bench bench-full bench-build peers dependencies sanitize tsan fuzz format format-check tidy
 
 all:
 	$(CONFIGURE) -B $(BUILD)
@@ -41,10 +49,18 @@ demo: dependencies
 dependencies:
 	scripts/install-deps.sh
 
-bench: dependencies
+bench: bench-build
+	$(BENCHMARK) $(if $(BENCH_QUICK),--quick)
+
+bench-full: bench-build
+	$(BENCHMARK) --full
+
+bench-build: dependencies
 	$(CONFIGURE) -B $(BUILD) -DARRIS_BUILD_BENCH=ON
-	cmake --build $(BUILD) -j $(JOBS)
-	bench/scaling.sh $(BUILD) $(BENCH_SIZES)
+	cmake --build $(BUILD) -j $(JOBS) --target arris_cli scaling_bench
+
+peers: bench-build
+	scripts/install-peers.sh $(BUILD)
 
 test: dependencies
 	$(CONFIGURE) -B $(BUILD) -DARRIS_BUILD_TESTS=ON

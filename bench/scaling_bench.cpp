@@ -1,7 +1,10 @@
 // How time and memory of the default pipeline grow, and the ratio to CGAL's sequential Delaunay of
 // the same points in the same run.
 //
-//   scaling_bench N [--paper]      one line; bench/scaling.sh prints the table over sizes
+//   scaling_bench N [--paper]         one line of JSON
+//   scaling_bench N --write FILE.ply  the points alone, for the peers
+//
+// The speed suite of bench/benchmark.py runs it over sizes.
 //
 // Samples lie at random on a bumpy sphere, in random order.
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -12,8 +15,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "truth/random.h"
 
@@ -40,34 +44,42 @@ double cgal_delaunay_seconds(const std::vector<arris::Vec3>& points) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// One line of JSON: times and memory of arris, stage by stage, and the time of CGAL.
+void print(std::size_t n, const arris::Reconstruction& result, double cgal_seconds) {
+  std::printf("{\"points\": %zu, \"stages\": [", n);
+  const char* separator = "";
+  for (const arris::StageReport& stage : result.report.stages) {
+    std::printf("%s{\"name\": \"%s\", \"seconds\": %.6f, \"peak_memory\": %llu}", separator,
+                stage.name.c_str(), stage.seconds,
+                static_cast<unsigned long long>(stage.peak_memory));
+    separator = ", ";
+  }
+  std::printf("], \"triangles\": %zu, \"cgal_delaunay_seconds\": %.6f}\n",
+              result.mesh.triangles.size(), cgal_seconds);
+}
+
+int fail(const arris::Error& error) {
+  std::fprintf(stderr, "scaling_bench: %s\n", error.message.c_str());
+  return 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::size_t n = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 10000;
+  const std::string option = argc > 2 ? argv[2] : "";
+  if (option == "--write" && argc > 3) {
+    arris::Mesh points;  // without faces: its vertices are written
+    points.vertices = bumpy_sphere(n);
+    const arris::Result<void> written = arris::write_mesh(argv[3], points);
+    return written ? 0 : fail(written.error());
+  }
   arris::PointCloud cloud;
   cloud.positions = bumpy_sphere(n);
   arris::Options options;
-  if (argc > 2 && std::strcmp(argv[2], "--paper") == 0) options.method = arris::Method::paper;
-  const arris::Result<arris::Reconstruction> r = arris::reconstruct(cloud, options);
-  if (!r) {
-    std::fprintf(stderr, "scaling_bench: %s\n", r.error().message.c_str());
-    return 1;
-  }
-  const double cgal = cgal_delaunay_seconds(cloud.positions);
-  double to_cut = 0, swap = 0, all = 0;
-  std::uint64_t memory = 0;
-  std::printf("%9zu", n);
-  for (const arris::StageReport& stage : r->report.stages) {
-    std::printf("  %s %.3f", stage.name.c_str(), stage.seconds);
-    all += stage.seconds;
-    if (stage.name == "swap") swap = stage.seconds;
-    if (stage.name != "swap" && stage.name != "check") to_cut += stage.seconds;
-    memory = std::max(memory, stage.peak_memory);
-  }
-  std::printf(
-      "  | CGAL %.3f  to cut/CGAL %.2f  swap/CGAL %.2f  all/CGAL %.2f  us/point %.2f  "
-      "B/point %.0f  faces %zu\n",
-      cgal, to_cut / cgal, swap / cgal, all / cgal, 1e6 * all / static_cast<double>(n),
-      static_cast<double>(memory) / static_cast<double>(n), r->mesh.triangles.size());
+  if (option == "--paper") options.method = arris::Method::paper;
+  const arris::Result<arris::Reconstruction> result = arris::reconstruct(cloud, options);
+  if (!result) return fail(result.error());
+  print(n, *result, cgal_delaunay_seconds(cloud.positions));
   return 0;
 }

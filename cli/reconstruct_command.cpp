@@ -114,7 +114,9 @@ void add_method_options(CLI::App& app, Options& options) {
   static const std::map<std::string, Method> methods = {{"default", Method::automatic},
                                                         {"paper", Method::paper}};
   static const std::map<std::string, Curvature> curvatures = {
-      {"cotangent", Curvature::cotangent}, {"polyhedral", Curvature::polyhedral}};
+      {"area", Curvature::area},
+      {"cotangent", Curvature::cotangent},
+      {"polyhedral", Curvature::polyhedral}};
   add_choice(app, "--method", methods, options.method,
              "How: the default, or the setting of the paper by Shi, Wan, Tai and Wang (2011)");
   app.add_option("--lambda", options.lambda,
@@ -125,7 +127,8 @@ void add_method_options(CLI::App& app, Options& options) {
   app.add_option("--background", options.background,
                  "Background points per sample (0 by default, 10 with --method paper)")
       ->check(number_in(0, 1000, "a number from 0 to 1000"));
-  add_choice(app, "--curvature", curvatures, options.curvature, "How the swaps measure curvature");
+  add_choice(app, "--curvature", curvatures, options.curvature,
+             "How the swaps measure curvature; area: minimal area instead, to compare with");
   static const std::map<std::string, Outliers> outliers = {
       {"auto", Outliers::by_method}, {"drop", Outliers::drop}, {"keep", Outliers::keep}};
   add_choice(app, "--outliers", outliers, options.outliers,
@@ -136,6 +139,9 @@ void add_method_options(CLI::App& app, Options& options) {
       ->check(number_in(0, 1e300, "a number from 0"));
   app.add_flag_callback(
       "--no-swap", [&options] { options.swap = false; }, "Leave the swaps out");
+  app.add_flag_callback(
+      "--free-samples", [&options] { options.keep_samples = false; },
+      "Let swaps take samples off the surface, to compare with: edges are lost");
   app.add_flag_callback(
       "--no-sharpen", [&options] { options.sharpen = false; },
       "Add no points on edges and corners that no sample lies on");

@@ -13,8 +13,10 @@ command -v dpkg-query >/dev/null || {
   exit 0
 }
 
+bench="python3"
+
 missing=""
-for package in $build $tests $checks; do
+for package in $build $tests $checks $bench; do
   status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing="$missing $package"
 done

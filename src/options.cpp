@@ -14,7 +14,7 @@ constexpr int paper_cycles = 3;
 constexpr double paper_background = 10;
 
 // Without background points every point lies on the surface, so its signed distance carries no
-// curvature and a second cut would equal the first.
+// curvature and a second cut would equal the first. Nor does any surface's, if λ weighs area.
 constexpr int automatic_cycles = 1;
 
 constexpr int most_cycles = 100;
@@ -38,7 +38,8 @@ Options resolve_options(Options options) {
   if (std::isnan(options.noise) || options.noise == std::numeric_limits<double>::infinity())
     refuse("noise", std::to_string(options.noise), "a length of at least 0, or less for automatic");
   if (options.noise < 0) options.noise = paper ? 0 : -1;
-  if (options.cycles == 0) options.cycles = paper ? paper_cycles : automatic_cycles;
+  const bool area = options.curvature == Curvature::area;
+  if (options.cycles == 0) options.cycles = paper && !area ? paper_cycles : automatic_cycles;
   if (options.background < 0) options.background = paper ? paper_background : 0;
   if (options.curvature == Curvature::by_method)
     options.curvature = paper ? Curvature::cotangent : Curvature::polyhedral;

@@ -66,6 +66,7 @@ SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature
 
 void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
   SwapOptions options;
+  options.keep_samples = report.options.keep_samples;
   options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
   SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
   report.swap_energy = std::move(swaps.energy);

@@ -10,8 +10,11 @@ namespace arris {
 // curvature of the last surface, swaps with cotangent curvature.
 enum class Method : std::uint8_t { automatic, paper };
 
-// How the swap stage measures curvature: eq. 7-10 of the paper, or length x |pi - dihedral| / 2.
-enum class Curvature : std::uint8_t { by_method, cotangent, polyhedral };
+// What λ weighs. Curvature, which the swap stage measures by eq. 7-10 of the paper (cotangent) or
+// as length x |pi - dihedral| / 2 (polyhedral); or, to compare with, `area`: the total variation of
+// the indicator function of the solid, E = ∫ (d + λ) ds with λ in units of spacing, in cut and
+// swaps.
+enum class Curvature : std::uint8_t { by_method, cotangent, polyhedral, area };
 
 // What to do with points whose coordinates are NaN or infinite.
 enum class NonFinite : std::uint8_t { refuse, drop };
@@ -26,7 +29,8 @@ struct Options {
   // Weight of curvature against distance in eq. 3, in units of spacing squared. >= 0.
   double lambda = 0.1;
 
-  // Cuts in the loop of eq. 6; 0 means the default of the method. 1 to 100.
+  // Cuts in the loop of eq. 6; 0 means the default of the method, or 1 with `area`, where all cuts
+  // are the same. 1 to 100.
   int cycles = 0;
 
   // Background points per sample (paper, section 3); negative means the default of the method
@@ -37,6 +41,10 @@ struct Options {
 
   // Run the local swaps of section 4.
   bool swap = true;
+
+  // Refuse swaps that take a sample off the surface. Without this every energy cuts edges off,
+  // area nearly all of them: the comparison of the paper's figure 6.
+  bool keep_samples = true;
 
   // Add points on edges and corners that no sample lies on. Off in the paper's method.
   bool sharpen = true;

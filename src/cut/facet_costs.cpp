@@ -13,7 +13,7 @@ double facet_cost(const TetMesh& mesh, const EnergyModel& model,
   if (n < t) return facet_cost(mesh, model, curvature, n, mesh.facet_to(n, t));
   if (!mesh.is_finite(t)) return 0;
   const double fidelity = fidelity_cost(mesh, model, t, i);
-  if (curvature.empty()) return fidelity;
+  if (curvature.empty() || model.curvature == Curvature::area) return fidelity;
   double h = 0, kappa = 0;
   for (int corner : facet_corners[static_cast<std::size_t>(i)]) {
     const Index v = mesh.vertices[t][static_cast<std::size_t>(corner)];

@@ -45,6 +45,7 @@ double sum_over_edges(const TetMesh& mesh, const Labels& labels, unsigned thread
 }  // namespace
 
 double edge_cost(const TetMesh& mesh, const EnergyModel& model, Index u, Index v) {
+  if (model.curvature == Curvature::area) return 0;
   const double h = 0.5 * (model.spacing[u] + model.spacing[v]);
   return 0.5 * model.lambda * distance(mesh.points[u], mesh.points[v]) / h;
 }

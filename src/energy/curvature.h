@@ -23,7 +23,8 @@ inline double turning_angle(Vec3 a, Vec3 b) {
   return sine == 0 && cosine == 0 ? 0 : std::atan2(sine, cosine);  // atan2(0, -0.0) would be pi
 }
 
-// λ l / (2 h) of the edge uv: E per radian that the boundary turns at it. Dimensionless.
+// λ l / (2 h) of the edge uv: E per radian that the boundary turns at it; 0 with Curvature::area.
+// Dimensionless.
 double edge_cost(const TetMesh& mesh, const EnergyModel& model, Index u, Index v);
 
 // The sums over the boundary facets round a vertex from which its curvature follows. They are

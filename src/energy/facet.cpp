@@ -56,7 +56,8 @@ double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i
     h += 1.0 / 3 * model.spacing[mesh.vertices[t][static_cast<std::size_t>(corner)]];
   const FacetDistance f = facet_distance(mesh, t, i);
   const double distance = f.mean_distance / h;
-  return (distance + lean_weight * lean(mesh, model, t, i)) * f.area / (h * h);
+  const double constant = model.curvature == Curvature::area ? model.lambda : 0;
+  return (distance + lean_weight * lean(mesh, model, t, i) + constant) * f.area / (h * h);
 }
 
 FidelityCosts::FidelityCosts(const TetMesh& mesh, const EnergyModel& model)

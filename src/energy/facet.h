@@ -15,7 +15,8 @@ namespace arris {
 // Normal of facet i of t that points out of t, twice the area long. The facet must not be infinite.
 Vec3 facet_normal(const TetMesh& mesh, Tet t, int i);
 
-// d S / h^3 of the facet: its share of the fidelity term (paper, eq. 3 and 5). Dimensionless.
+// d S / h^3 of the facet: its share of the fidelity term (paper, eq. 3 and 5). With Curvature::area
+// also λ S / h^2, which makes it all of E. Dimensionless.
 double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i);
 
 // fidelity_cost with a memory: each facet is computed once. 32 bytes a tetrahedron.

@@ -27,6 +27,8 @@ const char* text(Curvature curvature) {
       return "cotangent";
     case Curvature::polyhedral:
       return "polyhedral";
+    case Curvature::area:
+      return "area";
   }
   return "unknown";
 }
@@ -60,6 +62,7 @@ Json to_object(const Options& o) {
           {"background", o.background},
           {"curvature", text(o.curvature)},
           {"swap", o.swap},
+          {"keep_samples", o.keep_samples},
           {"tetrahedra", o.tetrahedra},
           {"sharpen", o.sharpen},
           {"trim", o.trim},

@@ -33,7 +33,7 @@ const Row rows[] = {
     {"UnknownMethod", "reconstruct in.xyz -o out.ply --method magic",
      "--method: must be one of default|paper, not 'magic'"},
     {"UnknownCurvature", "reconstruct in.xyz -o out.ply --curvature gauss",
-     "--curvature: must be one of cotangent|polyhedral, not 'gauss'"},
+     "--curvature: must be one of area|cotangent|polyhedral, not 'gauss'"},
     {"LambdaNegative", "reconstruct in.xyz -o out.ply --lambda -1",
      "--lambda: must be a number from 0 to 1000000, not '-1'"},
     {"LambdaNan", "reconstruct in.xyz -o out.ply --lambda nan",

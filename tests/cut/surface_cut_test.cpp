@@ -8,6 +8,7 @@
 
 #include "base/vec.h"
 #include "cut/facet_costs.h"
+#include "energy/facet.h"
 #include "support/known_solids.h"
 #include "support/random.h"
 
@@ -105,6 +106,22 @@ RC_GTEST_PROP(SurfaceCut, IsTheCheapestOfAllSurfaces, (std::uint64_t seed)) {
   RC_ASSERT(c.energy >= least * (1 - 1e-12));
   // Capacities are whole numbers of a millionth each; one rounding a facet.
   RC_ASSERT(c.energy <= least * (1 + 1e-12) + 4e-6 * 4 * static_cast<double>(free.size()));
+}
+
+TEST(FacetCost, AreaWeighsAreaAndNoCurvature) {
+  const Measured m(known_solids(500)[2].samples);
+  Random random(2);
+  const std::vector<double> curvature = some_curvature(m.mesh.points.size(), random);
+  const EnergyModel area{0.1, Curvature::area, m.spacing}, none{0, Curvature::area, m.spacing};
+  for (Tet t = 0; t < m.mesh.finite; ++t)
+    for (int i = 0; i < 4; ++i) {
+      double h = 0;
+      for (int corner : facet_corners[static_cast<std::size_t>(i)])
+        h += m.spacing[m.mesh.vertices[t][static_cast<std::size_t>(corner)]] / 3;
+      const double s = 0.5 * length(facet_normal(m.mesh, t, i));
+      const double cost = facet_cost(m.mesh, area, curvature, t, i);
+      EXPECT_NEAR(cost - facet_cost(m.mesh, none, {}, t, i), 0.1 * s / (h * h), 1e-9 * cost);
+    }
 }
 
 TEST(FacetCost, IsTheSameFromBothSides) {

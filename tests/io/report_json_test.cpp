@@ -78,8 +78,8 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "warnings"}));
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
-                                      "swap", "tetrahedra", "sharpen", "trim", "non_finite",
-                                      "outliers", "noise"}));
+                                      "swap", "keep_samples", "tetrahedra", "sharpen", "trim",
+                                      "non_finite", "outliers", "noise"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
                                                                  "sound",
                                                                  "closed",

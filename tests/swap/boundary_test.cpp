@@ -83,6 +83,9 @@ RC_GTEST_PROP(FlipChange, AgreesWithTheWholePolyhedral, ()) {
 RC_GTEST_PROP(FlipChange, AgreesWithTheWholeCotangent, ()) {
   check_changes(Curvature::cotangent);
 }
+RC_GTEST_PROP(FlipChange, AgreesWithTheWholeArea, ()) {
+  check_changes(Curvature::area);
+}
 
 }  // namespace
 }  // namespace arris

@@ -118,6 +118,40 @@ TEST(Swap, MayDropSamplesIfAllowed) {
             total_energy(scene.mesh, scene.model, kept));
 }
 
+double area(const TetMesh& mesh, const Labels& labels) {
+  double sum = 0;
+  for (Tet t = 0; t < mesh.finite; ++t)
+    for (int i = 0; i < 4; ++i)
+      if (labels[t] == 1 && labels[mesh.neighbours[t][static_cast<std::size_t>(i)]] == 0)
+        sum += 0.5 * length(facet_normal(mesh, t, i));
+  return sum;
+}
+
+// Area adds λ S / h^2 and nothing else; where samples may leave, its minimum cuts the edges off.
+TEST(Swap, AreaIsWeighedByLambdaAndCutsEdgesOff) {
+  const test::Solid solid = test::cube(0.1);
+  Scene scene = make_scene(solid, Curvature::area, 10);
+  EnergyModel distance = scene.model;
+  distance.lambda = 0;
+  const double h = solid.spacing;
+  EXPECT_NEAR(total_energy(scene.mesh, scene.model, scene.labels) -
+                  total_energy(scene.mesh, distance, scene.labels),
+              scene.model.lambda * area(scene.mesh, scene.labels) / (h * h), 1e-9);
+  Labels labels = scene.truth;
+  SwapOptions options;
+  options.keep_samples = false;
+  run(scene, labels, options);
+  EXPECT_LT(area(scene.mesh, labels), 0.99 * area(scene.mesh, scene.truth));
+  const double cut_off = area(scene.mesh, labels);
+  labels = scene.truth;
+  run(scene, labels);  // they stay
+  EXPECT_NEAR(area(scene.mesh, labels), area(scene.mesh, scene.truth), 1e-9);
+  scene.model.curvature = Curvature::polyhedral;
+  labels = scene.truth;
+  run(scene, labels, options);
+  EXPECT_LT(cut_off, area(scene.mesh, labels));
+}
+
 TEST(Swap, LeavesFrozenTetrahedraAlone) {
   const Scene scene = make_scene(test::cube(0.1), Curvature::polyhedral, 4);
   Labels labels = scene.labels;
