@@ -3,7 +3,6 @@
 #include "arris/reconstruct.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "base/failure.h"
@@ -40,7 +39,7 @@ constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0.
 
 // The share of the noise that moving the samples leaves in them, measured on flat and curved
 // shapes.
-const double left_of_noise = std::getenv("LEFT") ? std::atof(std::getenv("LEFT")) : 0.25;
+constexpr double left_of_noise = 0.25;
 
 // A spike can hide another, rarely a third.
 constexpr int most_spike_rounds = 2;

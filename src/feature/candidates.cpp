@@ -66,7 +66,7 @@ void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candi
     const double far = std::min(distance(*x, u), distance(*x, v)) / h;
     if (start != middle && far > foot_reach) continue;
     if (is_cut_off(c, a, b, *x)) continue;
-    out.push_back({{*x, h, false, a.point, {*a.surface, *b.surface}}, far});
+    out.push_back({{*x, h, false, a.point, no_index, {*a.surface, *b.surface}}, far});
   }
 }
 
@@ -96,9 +96,13 @@ void try_corner(const Crossing& c, const std::array<Side, 3>& sides, Vec3 middle
     far = std::max(far, distance(c.points[a.point], *x) / h);
   }
   if (far > corner_reach) return;
-  out.push_back(
-      {{*x, h, true, sides[0].point, {*sides[0].surface, *sides[1].surface, *sides[2].surface}},
-       far});
+  out.push_back({{*x,
+                  h,
+                  true,
+                  sides[0].point,
+                  no_index,
+                  {*sides[0].surface, *sides[1].surface, *sides[2].surface}},
+                 far});
 }
 
 // Candidates that more others coincide with come first, then nearer ones.

@@ -13,7 +13,8 @@ struct FeaturePoint {
   Vec3 position;
   double spacing = 0;  // h there
   bool corner = false;
-  Index near = no_index;  // one of the points it was found from
+  Index near = no_index;    // one of the points it was found from
+  Index vertex = no_index;  // the point it is, where it is one already
   std::vector<LocalSurface> surfaces;
 };
 

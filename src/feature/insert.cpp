@@ -43,7 +43,7 @@ std::vector<FeaturePoint> marked_samples(const std::vector<Vec3>& points, std::s
   for (Index v = 0; v < samples; ++v) {
     const auto s = sensed.at(v);
     if (s.size() > 1)
-      marked.push_back({points[v], spacing[v], s.size() > 2, v, {s.begin(), s.end()}});
+      marked.push_back({points[v], spacing[v], s.size() > 2, v, v, {s.begin(), s.end()}});
   }
   return marked;
 }
@@ -60,11 +60,13 @@ void insert_feature_points(const std::vector<Vec3>& points, std::size_t samples,
   if (!(cell > 0)) return;
   const NearestSample nearest(points);
   PointGrid grid(cell);
-  for (std::size_t i = 0; i < features.size(); ++i)
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    features[i].vertex = static_cast<Index>(samples + i);
     grid.add(features[i].position, static_cast<Index>(i));
+  }
   thin(corners, nearest, grid, features);
   thin(edges, nearest, grid, features);
-  protect_curves(points, marked_samples(points, samples, spacing, sensed), features, job);
+  protect_curves(points, mesh, marked_samples(points, samples, spacing, sensed), features, job);
 }
 
 }  // namespace arris

@@ -28,8 +28,9 @@ constexpr double inside = 0.499;
 
 class Protector {
  public:
-  Protector(const std::vector<Vec3>& points, std::vector<FeaturePoint>& all, double h)
-      : points_(points), all_(all), nearest_(points), grid_(reach * h) {
+  Protector(const std::vector<Vec3>& points, const FacetMesh& mesh, std::vector<FeaturePoint>& all,
+            double h)
+      : points_(points), mesh_(mesh), all_(all), nearest_(points), grid_(reach * h) {
     for (std::size_t i = 0; i < all_.size(); ++i)
       grid_.add(all_[i].position, static_cast<Index>(i));
   }
@@ -57,6 +58,7 @@ class Protector {
 
   void split(const FeaturePoint& p, const FeaturePoint& q, const LocalSurface& a,
              const LocalSurface& b) {
+    if (is_side(p.vertex, q.vertex)) return;
     const Vec3 along = q.position - p.position;
     const double gap = length(along), h = std::min(p.spacing, q.spacing);
     const NearestSample::Hit hit = nearest_(p.position + 0.5 * along);
@@ -71,7 +73,16 @@ class Protector {
     if (!x || distance(*x, start) > largest_move * gap) return;
     if (nearest_(*x).distance < occupied * h) return;
     grid_.add(*x, static_cast<Index>(all_.size()));
-    all_.push_back({*x, share * q.spacing + (1 - share) * p.spacing, false, p.near, {a, b}});
+    all_.push_back(
+        {*x, share * q.spacing + (1 - share) * p.spacing, false, p.near, no_index, {a, b}});
+  }
+
+  bool is_side(Index u, Index v) const {
+    if (u == no_index || v == no_index) return false;
+    return std::any_of(mesh_.star(u).begin(), mesh_.star(u).end(), [&](Index f) {
+      const Triangle& t = mesh_.facets[f];
+      return t[0] == v || t[1] == v || t[2] == v;
+    });
   }
 
   // The next feature point on both surfaces in that direction.
@@ -98,6 +109,7 @@ class Protector {
   }
 
   const std::vector<Vec3>& points_;
+  const FacetMesh& mesh_;
   std::vector<FeaturePoint>& all_;
   NearestSample nearest_;
   PointGrid grid_;
@@ -105,15 +117,16 @@ class Protector {
 
 }  // namespace
 
-void protect_curves(const std::vector<Vec3>& points, const std::vector<FeaturePoint>& marked,
-                    std::vector<FeaturePoint>& features, Job& job) {
+void protect_curves(const std::vector<Vec3>& points, const FacetMesh& mesh,
+                    const std::vector<FeaturePoint>& marked, std::vector<FeaturePoint>& features,
+                    Job& job) {
   std::vector<FeaturePoint> all = features;
   all.insert(all.end(), marked.begin(), marked.end());
   double h = 0;
   for (const FeaturePoint& p : all) h = std::max(h, p.spacing);
   if (!(h > 0)) return;
   const auto known = static_cast<std::ptrdiff_t>(all.size());
-  Protector(points, all, h).run(job);
+  Protector(points, mesh, all, h).run(job);
   features.insert(features.end(), all.begin() + known, all.end());
 }
 

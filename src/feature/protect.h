@@ -12,9 +12,10 @@ namespace arris {
 // point enters its diametral ball. Other gaps are split at the foot of the point that enters, as in
 // conforming Delaunay refinement (Ruppert, "A Delaunay refinement algorithm for quality
 // 2-dimensional mesh generation", 1995), and long ones in the middle, down to a least length.
-// `marked` are samples that lie on features: ends of gaps, never added. Appends to `features`.
-// O(features log points).
-void protect_curves(const std::vector<Vec3>& points, const std::vector<FeaturePoint>& marked,
-                    std::vector<FeaturePoint>& features, Job& job);
+// `marked` are samples that lie on features: ends of gaps, never added. Gaps that are sides of
+// `mesh` are left alone. Appends to `features`. O(features log points).
+void protect_curves(const std::vector<Vec3>& points, const FacetMesh& mesh,
+                    const std::vector<FeaturePoint>& marked, std::vector<FeaturePoint>& features,
+                    Job& job);
 
 }  // namespace arris

@@ -27,9 +27,19 @@ double least_height(const TetMesh& mesh, Tet t) {
   return area > 0 ? std::abs(dot(b - a, cross(c - a, d - a))) / std::sqrt(area) : 0;
 }
 
-// A flatter tetrahedron (in units of spacing) lies within the surface, or bridges coplanar faces of
-// it: what holds its centroid is chance.
-constexpr double firm_height = 0.1;
+// A tetrahedron flatter than this and longer than a firm ball (in units of spacing) bridges
+// coplanar faces: what holds its centroid is chance, and a stack of them on a wrong side outvotes
+// the cut.
+constexpr double flat_height = 0.1;
+
+bool is_bridge(const TetMesh& mesh, Tet t, double h) {
+  double longest = 0;
+  for (const auto& [i, j] : edge_corners)
+    longest =
+        std::max(longest, distance(mesh.points[mesh.vertices[t][static_cast<std::size_t>(i)]],
+                                   mesh.points[mesh.vertices[t][static_cast<std::size_t>(j)]]));
+  return longest > 2 * firm_radius * h && least_height(mesh, t) < flat_height * h;
+}
 
 }  // namespace
 
@@ -79,10 +89,10 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     const auto& corners = fine.vertices[t];
     const Index v = *std::min_element(corners.begin(), corners.end());
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
-    result.label[t] = labels[locate(coarse, centroid(fine, t), star[known])];
     const double h = mean_spacing(fine, spacing, t);
-    result.firm[t] =
-        balls[t].radius > firm_radius * h && least_height(fine, t) > firm_height * h;
+    const bool bridge = is_bridge(fine, t, h);
+    result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
+    result.firm[t] = !bridge && balls[t].radius > firm_radius * h;
   });
   return result;
 }

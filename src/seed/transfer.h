@@ -16,9 +16,9 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
                      const TetMesh& fine, Job& job);
 
 // The same where the points of `fine` are those of `coarse` and then points added on the surface:
-// every tetrahedron takes the label of the tetrahedron of `coarse` that holds its centroid. It is
-// firm if its ball is large, as in find_seeds, and it is not flat. `near`: for each added point one of `coarse` near
-// it.
+// every tetrahedron takes the label of the tetrahedron of `coarse` that holds its centroid, and is
+// firm if its ball is large, as in find_seeds; long flat ones are free. `near`: for each added
+// point one of `coarse` near it.
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Index>& near,
                    const std::vector<double>& spacing, Job& job);
