@@ -98,8 +98,8 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   next.model.sides = sides_of(points, samples, sensed, features);
   next.mesh = delaunay(std::move(points), samples + features.size(), job);
   next.stars = Stars(next.mesh);
-  next.seeds =
-      follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, near, next.model.spacing, job);
+  next.seeds = follow_seeds(stage.mesh, stage.stars, labels, stage.seeds, next.mesh, near,
+                            next.model.spacing, job);
   return next;
 }
 

@@ -180,12 +180,16 @@ class Finder {
   std::unique_ptr<NearestSample> present_tree_, absent_tree_;
 };
 
+// Of fewer samples than this every one may be a corner.
+constexpr std::size_t fewest_points = 100;
+
 }  // namespace
 
 std::vector<std::uint8_t> find_spikes(const std::vector<Vec3>& points,
                                       const std::vector<Triangle>& triangles,
                                       const std::vector<double>& spacing, Job& job) {
-  if (triangles.empty()) return std::vector<std::uint8_t>(points.size(), 0);
+  if (triangles.empty() || points.size() < fewest_points)
+    return std::vector<std::uint8_t>(points.size(), 0);
   return Finder(points, triangles, spacing).run(job);
 }
 

@@ -229,10 +229,16 @@ double borrowed_level(const std::vector<double>& levels, const Curve& own,
   return own.known > 0 ? std::min(level, own.deviation[0]) : level;
 }
 
+// What follows judges noise by 24 samples round each of 32 places; fewer samples than this are read
+// as they are, since a block of points that fills space would look like one thick layer.
+constexpr std::size_t fewest_points = 500;
+
 }  // namespace
 
 std::vector<double> estimate_noise(const std::vector<Vec3>& points, const NearestSample& tree,
                                    Job& job) {
+  std::vector<double> result(points.size(), 0);
+  if (points.size() < fewest_points) return result;
   const std::size_t stride =
       std::clamp<std::size_t>(points.size() / fewest_sites, 1, longest_stride);
   std::vector<Vec3> sites;
@@ -251,7 +257,6 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
       verdicts[i] = judge(pooled[i]);
     }
   });
-  std::vector<double> result(points.size(), 0);
   if (!is_noisy(verdicts)) return result;
 
   std::vector<double> levels, accepted;

@@ -16,21 +16,28 @@ Vec3 centroid(const TetMesh& mesh, Tet t) {
   return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
 }
 
-// The least height of a tetrahedron over one of its facets.
-double least_height(const TetMesh& mesh, Tet t) {
+// The largest facet of a tetrahedron, twice its area, and its height over it.
+struct Base {
+  double twice_area = 0, height = 0;
+};
+
+Base base(const TetMesh& mesh, Tet t) {
   const auto& v = mesh.vertices[t];
   const Vec3 a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]],
              d = mesh.points[v[3]];
   const double area =
       std::max({squared_length(cross(b - a, c - a)), squared_length(cross(b - a, d - a)),
                 squared_length(cross(c - a, d - a)), squared_length(cross(c - b, d - b))});
-  return area > 0 ? std::abs(dot(b - a, cross(c - a, d - a))) / std::sqrt(area) : 0;
+  const double twice_area = std::sqrt(area);
+  return {twice_area, area > 0 ? std::abs(dot(b - a, cross(c - a, d - a))) / twice_area : 0};
 }
 
 // A tetrahedron flatter than this and longer than a firm ball (in units of spacing) bridges
 // coplanar faces: what holds its centroid is chance, and a stack of them on a wrong side outvotes
 // the cut.
 constexpr double flat_height = 0.1;
+// With less of a facet (squares of spacing) it costs nothing on either side: slivers along edges.
+constexpr double bridge_area = 1;
 
 bool is_bridge(const TetMesh& mesh, Tet t, double h) {
   double longest = 0;
@@ -38,7 +45,26 @@ bool is_bridge(const TetMesh& mesh, Tet t, double h) {
     longest =
         std::max(longest, distance(mesh.points[mesh.vertices[t][static_cast<std::size_t>(i)]],
                                    mesh.points[mesh.vertices[t][static_cast<std::size_t>(j)]]));
-  return longest > 2 * firm_radius * h && least_height(mesh, t) < flat_height * h;
+  const Base b = base(mesh, t);
+  return longest > 2 * firm_radius * h && b.twice_area > 2 * bridge_area * h * h &&
+         b.height < flat_height * h;
+}
+
+// A tetrahedron flatter than this (in units of spacing) has no inside to speak of, e.g. four
+// samples of one edge. Where it was there before it keeps its label for good: its two sides cost
+// the same.
+constexpr double sliver_height = 1e-3;
+
+// The tetrahedron of `mesh` with these corners, or no_tet.
+Tet find_tet(const TetMesh& mesh, const Stars& stars, std::array<Index, 4> corners) {
+  std::sort(corners.begin(), corners.end());
+  if (corners[3] >= mesh.points.size()) return no_tet;
+  for (Tet t : stars[corners[0]]) {
+    std::array<Index, 4> other = mesh.vertices[t];
+    std::sort(other.begin(), other.end());
+    if (other == corners) return t;
+  }
+  return no_tet;
 }
 
 }  // namespace
@@ -73,8 +99,8 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
   return result;
 }
 
-Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
-                   const TetMesh& fine, const std::vector<Index>& near,
+Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labels,
+                   const Seeds& seeds, const TetMesh& fine, const std::vector<Index>& near,
                    const std::vector<double>& spacing, Job& job) {
   job.tick(0);
   const std::vector<Tet> star = star_seeds(coarse);
@@ -90,6 +116,14 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     const Index v = *std::min_element(corners.begin(), corners.end());
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
     const double h = mean_spacing(fine, spacing, t);
+    if (base(fine, t).height < sliver_height * h) {
+      const Tet same = find_tet(coarse, stars, corners);
+      if (same != no_tet) {
+        result.label[t] = labels[same];
+        result.firm[t] = 1;
+        return;
+      }
+    }
     const bool bridge = is_bridge(fine, t, h);
     result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
     result.firm[t] = !bridge && balls[t].radius > firm_radius * h;

@@ -43,8 +43,9 @@ TEST(Output, MovedSamplesKeepTheirAttributes) {
   EXPECT_NEAR(r->report.noise_median, 0.006, 0.0012);
   ASSERT_EQ(r->mesh.attributes.size(), 1u);
   for (std::size_t v = 0; v < r->mesh.vertices.size(); ++v) {
-    const Index s = r->mesh.source[v];  // none: a point added on an edge
-    EXPECT_EQ(r->mesh.attributes[0].values[v], s == no_index ? 0 : cloud.attributes[0].values[s]);
+    const Index s = r->mesh.source[v];
+    const double want = s == no_index ? 0 : cloud.attributes[0].values[s];
+    EXPECT_EQ(r->mesh.attributes[0].values[v], want);
   }
   Options still;
   still.noise = 0;

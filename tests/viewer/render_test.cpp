@@ -231,7 +231,7 @@ TEST(Render, OddInputsAreDrawnOrRefused) {
     return image ? 0 : static_cast<int>(image.error().code);
   };
   EXPECT_EQ(code({{{}, {{1, 2, 3}}, ""}}, view), 0) << "a single point";
-  EXPECT_EQ(code({{{{{0, 0, 0}, {1, 1, 1}}, {{0, 1, 1}}, {}, {}}, {}, ""}}, view), 0)
+  EXPECT_EQ(code({{Mesh{{{0, 0, 0}, {1, 1, 1}}, {{0, 1, 1}}, {}, {}, {}}, {}, ""}}, view), 0)
       << "a degenerate triangle";
   EXPECT_EQ(code({{{}, {{0, 0, 0}, {1e-310, 0, 0}, {0, 1e-310, 0}}, ""}}, view), 0) << "tiny";
   EXPECT_EQ(code({{{}, {{0, 0, 0}, {1e149, 0, 0}, {0, -1e149, 0}}, ""}}, view), 0) << "huge";
