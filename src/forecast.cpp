@@ -14,6 +14,9 @@ namespace {
 // (docs/measurements.md), rounded up; the fixed part is the program itself.
 constexpr double bytes_per_sample = 1200;
 constexpr double bytes_per_background_point = 1200;
+// While features are added two tetrahedral meshes are held: 2160 bytes a point in all for 200k
+// points.
+constexpr double bytes_to_sharpen = 1200;
 constexpr double bytes_fixed = 32e6;
 
 std::string in_gigabytes(double bytes) {
@@ -25,7 +28,9 @@ std::string in_gigabytes(double bytes) {
 std::size_t forecast_memory(std::size_t points, const Options& options) {
   double background = options.background;
   if (!(background >= 0)) background = options.method == Method::paper ? 10 : 0;
-  const double each = bytes_per_sample + background * bytes_per_background_point;
+  const bool sharpen = options.sharpen && options.method != Method::paper;
+  const double each =
+      bytes_per_sample + background * bytes_per_background_point + (sharpen ? bytes_to_sharpen : 0);
   return static_cast<std::size_t>(bytes_fixed + static_cast<double>(points) * each);
 }
 
