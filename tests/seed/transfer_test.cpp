@@ -66,5 +66,44 @@ TEST(TransferSeeds, DoNotDependOnThreads) {
   EXPECT_EQ(one.seeds.firm, three.seeds.firm);
 }
 
+// Points added on the surface of a known solid: what is well inside or outside keeps its label.
+TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
+  for (const KnownSolid& solid : known_solids(600)) {
+    const Carried c(solid);
+    std::vector<Vec3> points = solid.samples;
+    std::vector<double> spacing = c.coarse.spacing;
+    std::vector<Index> near;
+    for (Index v = 0; v + 1 < solid.samples.size(); v += 7) {
+      const Tet t = c.coarse.stars[v][0];
+      Vec3 middle;  // of an edge, which is near the surface or in its hull
+      for (Index w : c.coarse.mesh.vertices[t])
+        if (w != v && w < points.size()) middle = 0.5 * (points[v] + points[w]);
+      points.push_back(middle);
+      near.push_back(v);
+      spacing.push_back(c.coarse.spacing[v]);
+    }
+    OneStageJob job;
+    const std::size_t n = points.size();
+    const TetMesh fine = delaunay(points, n, job);
+    const Seeds seeds =
+        follow_seeds(c.coarse.mesh, c.coarse.stars, c.labels, c.given, fine, near, spacing, job);
+    EXPECT_EQ(seeds.confidence, c.given.confidence);
+    ASSERT_EQ(seeds.label.size(), fine.finite);
+    std::size_t deep = 0, wrong = 0;
+    for (Tet t = 0; t < fine.finite; ++t) {
+      if (seeds.firm[t]) {
+        EXPECT_NE(seeds.label[t], seed_free);
+      }
+      const double d = solid.distance(centroid_of(fine, t));
+      if (seeds.label[t] == seed_free || std::abs(d) < 0.5 * mean_spacing(fine, spacing, t))
+        continue;
+      ++deep;
+      wrong += seeds.label[t] != (d < 0 ? seed_inside : seed_outside);
+    }
+    EXPECT_GT(deep, 100u) << solid.name;
+    EXPECT_EQ(wrong, 0u) << solid.name << " of " << deep;
+  }
+}
+
 }  // namespace
 }  // namespace arris
