@@ -52,7 +52,8 @@ bool is_bridge(const TetMesh& mesh, Tet t, double h) {
 
 // A tetrahedron flatter than this (in units of spacing) has no inside to speak of, e.g. four
 // samples of one edge. Where it was there before it keeps its label for good: its two sides cost
-// the same.
+// the same. A new one is free: what holds its centroid is chance, and a stack of such preferences
+// folds the surface back over a face.
 constexpr double sliver_height = 1e-3;
 
 // The tetrahedron of `mesh` with these corners, or no_tet.
@@ -123,6 +124,9 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
         result.firm[t] = 1;
         return;
       }
+      result.label[t] = seed_free;
+      result.firm[t] = 0;
+      return;
     }
     const bool bridge = is_bridge(fine, t, h);
     result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
