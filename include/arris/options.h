@@ -5,7 +5,8 @@
 
 namespace arris {
 
-// `automatic`: Delaunay of the samples alone, one cut, swaps with polyhedral curvature.
+// `automatic`: Delaunay of the samples and of points on features that no sample marks, a cut for
+// each, swaps with polyhedral curvature.
 // `paper`: the setting of Shi, Wan, Tai, Wang (SSVM 2011): background points, three cuts with the
 // curvature of the last surface, swaps with cotangent curvature.
 enum class Method : std::uint8_t { automatic, paper };

@@ -25,10 +25,11 @@ struct Reconstruction {
 };
 
 // Positions in, certified mesh out. The mesh is the boundary of a union of Delaunay tetrahedra of
-// the distinct points. The result does not depend on the number of threads, nor on the order of
-// the points except for which duplicate gives its attributes (the first).
-// Errors: usage, bad_points, degenerate, no_surface, certificate, out_of_memory, cancelled.
-// Complexity: O(n log n) time and about 1.2 kB a point for points near a surface.
+// the distinct points, moved by what noise there is, and of points added on features. The result
+// does not depend on the number of threads, nor on the order of the points except for which
+// duplicate gives its attributes (the first). Errors: usage, bad_points, degenerate, no_surface,
+// certificate, out_of_memory, cancelled. Complexity: O(n log n) time and about 2.4 kB a point for
+// points near a surface.
 Result<Reconstruction> reconstruct(const PointCloud& cloud, const Options& options = {},
                                    const Context& context = {});
 

@@ -22,6 +22,10 @@ constexpr double largest_capacity = 0x1p30 - 1;
 // topology on clean ones, with noise of 0.5 % 24 against 22 of 38 are right, and 0 (no soft seeds)
 // loses thin parts.
 constexpr double seed_trust = 0.3;
+// The same for a hint: above the rounding of costs that are equal, below what a stack of slivers
+// needs to outvote the cut. Measured on blue samples of polyhedra: at 0.003 edges lose 2 % to
+// needles along them, at 0.1 faces fold back.
+constexpr double hint_trust = 0.04;
 
 std::int32_t capacity(double cost) {
   return static_cast<std::int32_t>(std::min(std::floor(cost * capacity_steps), largest_capacity));
@@ -56,7 +60,9 @@ CutProblem make_problem(const TetMesh& mesh, const EnergyModel& model, const See
     const auto& c = problem.capacity[t];
     const double sum = static_cast<double>(c[0]) + c[1] + c[2] + c[3];
     const double sign = seeds.label[t] == seed_inside ? 1 : -1;
-    problem.preference[t] = static_cast<std::int64_t>(sign * std::floor(seed_trust * sum));
+    const bool hint = !seeds.hint.empty() && seeds.hint[t];
+    problem.preference[t] =
+        static_cast<std::int64_t>(sign * std::floor((hint ? hint_trust : seed_trust) * sum));
   });
   return problem;
 }

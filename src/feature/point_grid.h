@@ -1,6 +1,7 @@
 // Points in cubic cells: those near a place, while more are added.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -34,9 +35,11 @@ class PointGrid {
  private:
   using Coordinates = std::array<std::int64_t, 3>;
   Coordinates coordinates(Vec3 x) const {
-    return {static_cast<std::int64_t>(std::floor(x.x / cell_)),
-            static_cast<std::int64_t>(std::floor(x.y / cell_)),
-            static_cast<std::int64_t>(std::floor(x.z / cell_))};
+    return {coordinate(x.x), coordinate(x.y), coordinate(x.z)};
+  }
+  // Far outside what an integer holds all cells are one.
+  std::int64_t coordinate(double x) const {
+    return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -0x1p60, 0x1p60));
   }
   // Cells that share a key only cost time: who visits looks at distances.
   static std::uint64_t key(const Coordinates& c) {

@@ -71,10 +71,16 @@ class Protector {
     const Vec3 start = p.position + share * along;
     const auto x = meet(a, b, start, least_sine);
     if (!x || distance(*x, start) > largest_move * gap) return;
-    if (nearest_(*x).distance < occupied * h) return;
+    if (is_occupied(*x, occupied * h)) return;
     grid_.add(*x, static_cast<Index>(all_.size()));
     all_.push_back(
         {*x, share * q.spacing + (1 - share) * p.spacing, false, p.near, no_index, {a, b}});
+  }
+
+  bool is_occupied(Vec3 x, double radius) const {
+    bool occupied_by = nearest_(x).distance < radius;
+    grid_.visit(x, [&](Index i) { occupied_by |= distance(all_[i].position, x) < radius; });
+    return occupied_by;
   }
 
   bool is_side(Index u, Index v) const {

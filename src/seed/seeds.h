@@ -26,6 +26,7 @@ inline constexpr double firm_radius = 1.5;
 struct Seeds {
   std::vector<Seed> label;         // per finite tetrahedron; seed_free where no vote reached
   std::vector<std::uint8_t> firm;  // 1: the cut must keep the label; 0: it may overrule it
+  std::vector<std::uint8_t> hint;  // 1: the label only breaks ties; empty: none is a hint
   double contradiction = 0;        // share of vote strength refused, in [0, 1]
   std::vector<float> confidence;   // per sample: share of vote strength round it that agrees
 };

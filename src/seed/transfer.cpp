@@ -52,8 +52,8 @@ bool is_bridge(const TetMesh& mesh, Tet t, double h) {
 
 // A tetrahedron flatter than this (in units of spacing) has no inside to speak of, e.g. four
 // samples of one edge. Where it was there before it keeps its label for good: its two sides cost
-// the same. A new one is free: what holds its centroid is chance, and a stack of such preferences
-// folds the surface back over a face.
+// the same. What holds the centroid of a new one is chance: it may only break ties, since a
+// stack of such preferences would fold the surface back over a face.
 constexpr double sliver_height = 1e-3;
 
 // The tetrahedron of `mesh` with these corners, or no_tet.
@@ -111,6 +111,7 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
   result.confidence = seeds.confidence;
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
+  result.hint.assign(fine.finite, 0);
   parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
     const auto t = static_cast<Tet>(i);
     const auto& corners = fine.vertices[t];
@@ -124,13 +125,11 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
         result.firm[t] = 1;
         return;
       }
-      result.label[t] = seed_free;
-      result.firm[t] = 0;
-      return;
+      result.hint[t] = 1;
     }
     const bool bridge = is_bridge(fine, t, h);
     result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
-    result.firm[t] = !bridge && balls[t].radius > firm_radius * h;
+    result.firm[t] = !bridge && !result.hint[t] && balls[t].radius > firm_radius * h;
   });
   return result;
 }
