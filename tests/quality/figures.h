@@ -38,8 +38,8 @@ inline constexpr double volume_part = 0.15, volume = 2e-4;
 
 // Polyhedra with sampled edges come back exactly or nearly so; any loss there is a fault. `blue`
 // and `uniform` leave edges unsampled: they guard the points put on them and, on narrow parts
-// (thin_plate, tangled_frames), the topology. Curved shapes guard the normals. noise: 0.25 % of the diagonal;
-// outliers: 2 %.
+// (thin_plate, tangled_frames), the topology. Curved shapes guard the normals. noise: 0.25 % of the
+// diagonal; outliers: 2 %.
 inline constexpr QualityCase quality_cases[] = {
     {"cube", Sampling::feature, 3000, {0.000, 1.000, 0.00, 0.00000, Topology::right}},
     {"perforated_cube", Sampling::feature, 4000, {0.000, 1.000, 0.00, 0.00000, Topology::right}},
