@@ -25,6 +25,9 @@ BENCHMARK = python3 bench/benchmark.py --build $(BUILD) \
 TSAN_TESTS ?= Parallel|Thread
 TSAN_TARGETS ?= test_base test_cut test_seed test_swap test_surface test_pipeline
 
+# Suites that measure whole reconstructions, for minutes; the other pipeline tests run the same code.
+SANITIZE_SKIP ?= ^quality\.|^pipeline_sharp\.
+
 # Checks of the standard library's own stay on under the sanitizers; CGAL's slow ones do not.
 SANITIZE_FLAGS = -O1 -DNDEBUG -D_GLIBCXX_ASSERTIONS
 CLANG = -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Sanitize \
@@ -70,7 +73,7 @@ test: dependencies
 sanitize: dependencies
 	$(CONFIGURE) -B build-asan $(CLANG) -DARRIS_BUILD_TESTS=ON -DARRIS_SANITIZE=address,undefined
 	cmake --build build-asan -j $(JOBS)
-	ctest --test-dir build-asan -j $(JOBS) --output-on-failure
+	ctest --test-dir build-asan -j $(JOBS) --output-on-failure -E '$(SANITIZE_SKIP)'
 
 # setarch -R: the thread sanitizer of clang 14 needs a fixed memory layout on recent kernels.
 tsan: dependencies
