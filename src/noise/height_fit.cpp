@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "cloud/flatness.h"
 
 namespace arris {
 namespace {
@@ -58,44 +59,7 @@ Frame frame_at(Vec3 origin, Vec3 normal) {
 }
 
 Vec3 least_variance_direction(const std::vector<Vec3>& points) {
-  if (points.size() < 3) return {0, 0, 1};
-  Vec3 mean;
-  for (Vec3 p : points) mean = mean + p;
-  mean = 1 / static_cast<double>(points.size()) * mean;
-  // Jacobi's rotations on the covariance matrix.
-  std::array<std::array<double, 3>, 3> a{}, v{};
-  for (std::size_t i = 0; i < 3; ++i) v[i][i] = 1;
-  for (Vec3 p : points) {
-    const std::array<double, 3> d{p.x - mean.x, p.y - mean.y, p.z - mean.z};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) a[i][j] += d[i] * d[j];
-  }
-  constexpr int sweeps = 8;  // converges quadratically; four do for doubles
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (const auto& [p, q] : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {1, 2}}) {
-      if (a[p][q] == 0) continue;
-      const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-      const double t = (theta >= 0 ? 1.0 : -1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double kp = a[k][p], kq = a[k][q];
-        a[k][p] = c * kp - s * kq;
-        a[k][q] = s * kp + c * kq;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double pk = a[p][k], qk = a[q][k];
-        a[p][k] = c * pk - s * qk;
-        a[q][k] = s * pk + c * qk;
-        const double vp = v[k][p], vq = v[k][q];
-        v[k][p] = c * vp - s * vq;
-        v[k][q] = s * vp + c * vq;
-      }
-    }
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (a[i][i] < a[least][least]) least = i;
-  const Vec3 n{v[0][least], v[1][least], v[2][least]};
-  return 1 / length(n) * n;
+  return points.size() < 3 ? Vec3{0, 0, 1} : flatness(points).normal;
 }
 
 double HeightFit::height(double x, double y) const noexcept {
