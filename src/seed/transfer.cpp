@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -16,22 +15,6 @@ Vec3 centroid(const TetMesh& mesh, Tet t) {
   return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
 }
 
-// The largest facet of a tetrahedron, twice its area, and its height over it.
-struct Base {
-  double twice_area = 0, height = 0;
-};
-
-Base base(const TetMesh& mesh, Tet t) {
-  const auto& v = mesh.vertices[t];
-  const Vec3 a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]],
-             d = mesh.points[v[3]];
-  const double area =
-      std::max({squared_length(cross(b - a, c - a)), squared_length(cross(b - a, d - a)),
-                squared_length(cross(c - a, d - a)), squared_length(cross(c - b, d - b))});
-  const double twice_area = std::sqrt(area);
-  return {twice_area, area > 0 ? std::abs(dot(b - a, cross(c - a, d - a))) / twice_area : 0};
-}
-
 // A tetrahedron flatter than this and longer than a firm ball (in units of spacing) bridges
 // coplanar faces: what holds its centroid is chance, and a stack of them on a wrong side outvotes
 // the cut.
@@ -39,22 +22,15 @@ constexpr double flat_height = 0.1;
 // With less of a facet (squares of spacing) it costs nothing on either side: slivers along edges.
 constexpr double bridge_area = 1;
 
-bool is_bridge(const TetMesh& mesh, Tet t, double h) {
+bool is_bridge(const TetMesh& mesh, Tet t, const TetBase& base, double h) {
   double longest = 0;
   for (const auto& [i, j] : edge_corners)
     longest =
         std::max(longest, distance(mesh.points[mesh.vertices[t][static_cast<std::size_t>(i)]],
                                    mesh.points[mesh.vertices[t][static_cast<std::size_t>(j)]]));
-  const Base b = base(mesh, t);
-  return longest > 2 * firm_radius * h && b.twice_area > 2 * bridge_area * h * h &&
-         b.height < flat_height * h;
+  return longest > 2 * firm_radius * h && base.twice_area > 2 * bridge_area * h * h &&
+         base.height < flat_height * h;
 }
-
-// A tetrahedron flatter than this (in units of spacing) has no inside to speak of, e.g. four
-// samples of one edge. Where it was there before it keeps its label for good: its two sides cost
-// the same. What holds the centroid of a new one is chance: it may only break ties, since a
-// stack of such preferences would fold the surface back over a face.
-constexpr double sliver_height = 1e-3;
 
 // The tetrahedron of `mesh` with these corners, or no_tet.
 Tet find_tet(const TetMesh& mesh, const Stars& stars, std::array<Index, 4> corners) {
@@ -118,7 +94,10 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
     const Index v = *std::min_element(corners.begin(), corners.end());
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
     const double h = mean_spacing(fine, spacing, t);
-    if (base(fine, t).height < sliver_height * h) {
+    const TetBase base = largest_base(fine, t);
+    if (base.height < sliver_height * h) {
+      // One that was there before keeps its label for good. What holds the centroid of a new one is
+      // chance: it may only break ties, or a stack of them would fold the surface over a face.
       const Tet same = find_tet(coarse, stars, corners);
       if (same != no_tet) {
         result.label[t] = labels[same];
@@ -127,7 +106,7 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
       }
       result.hint[t] = 1;
     }
-    const bool bridge = is_bridge(fine, t, h);
+    const bool bridge = is_bridge(fine, t, base, h);
     result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
     result.firm[t] = !bridge && !result.hint[t] && balls[t].radius > firm_radius * h;
   });

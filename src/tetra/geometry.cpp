@@ -1,6 +1,7 @@
 #include "tetra/geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -139,6 +140,20 @@ std::vector<double> sample_spacing(const TetMesh& mesh, const Stars& stars, unsi
     spacing[v] = *middle;
   });
   return spacing;
+}
+
+TetBase largest_base(const TetMesh& mesh, Tet t) {
+  std::array<Vec3, 4> x;
+  for (std::size_t i = 0; i < 4; ++i) x[i] = mesh.points[mesh.vertices[t][i]];
+  const double volume6 = dot(cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0]);
+  double largest = 0;
+  for (const auto& k : facet_corners) {
+    const Vec3 a = x[static_cast<std::size_t>(k[0])];
+    largest = std::max(largest, squared_length(cross(x[static_cast<std::size_t>(k[1])] - a,
+                                                     x[static_cast<std::size_t>(k[2])] - a)));
+  }
+  const double twice_area = std::sqrt(largest);
+  return {twice_area, largest > 0 ? std::abs(volume6) / twice_area : 0};
 }
 
 }  // namespace arris

@@ -31,4 +31,15 @@ inline double mean_spacing(const TetMesh& mesh, const std::vector<double>& spaci
   return (spacing[v[0]] + spacing[v[1]] + spacing[v[2]] + spacing[v[3]]) / 4;
 }
 
+// The largest facet of a finite tetrahedron, twice its area, and the height over it: the least one.
+struct TetBase {
+  double twice_area = 0, height = 0;
+};
+TetBase largest_base(const TetMesh& mesh, Tet t);
+
+// A tetrahedron whose least height is below this many spacings has no inside to speak of, e.g. four
+// samples of one edge or of one plane: its two sides cost the same but for rounding. Far below what
+// a surface shows, far above the rounding of float coordinates (about 1e-5 spacings).
+inline constexpr double sliver_height = 1e-3;
+
 }  // namespace arris
