@@ -103,11 +103,9 @@ Stage make_stage(const Samples& samples, const Options& options, const Shares& s
 
 // Removes the samples that the surface shows to be outliers; returns how many.
 std::uint64_t drop_spikes(const Stage& stage, const Labels& labels, Samples& samples, Job& job) {
-  ExtractedSurface surface = extract_surface(stage.mesh, labels);
-  for (Triangle& t : surface.triangles)
-    for (Index& v : t) v = surface.point[v];
   return drop_samples(samples,
-                      find_spikes(stage.mesh.points, surface.triangles, stage.model.spacing, job));
+                      find_spikes(stage.mesh.points, boundary_triangles(stage.mesh, labels),
+                                  stage.model.spacing, job));
 }
 
 // The paper's iteration: κ^0 = 0, then κ^n from the signed distance to Γ^n (eq. 6).

@@ -17,13 +17,6 @@
 namespace arris {
 namespace {
 
-FacetMesh facets_of(const Stage& stage, const Labels& labels, unsigned threads) {
-  ExtractedSurface surface = extract_surface(stage.mesh, labels);
-  for (Triangle& t : surface.triangles)
-    for (Index& v : t) v = surface.point[v];
-  return FacetMesh(std::move(surface.triangles), stage.mesh.points, threads);
-}
-
 // Everywhere at first; then only round the features that were found, where the surface is new.
 std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t points,
                                           std::size_t samples) {
@@ -78,7 +71,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   Stage next;
   const std::size_t samples = given.points.size();
   const std::size_t known = features.size();
-  const FacetMesh facets = facets_of(stage, labels, job.threads());
+  const FacetMesh facets(boundary_triangles(stage.mesh, labels), stage.mesh.points, job.threads());
   const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
                                        places_to_sense(facets, stage.mesh.points.size(), samples),
                                        stage.roughness, job);

@@ -14,18 +14,6 @@ namespace {
 // position off by a hundredth of a side would turn it by four degrees.
 constexpr double sliver = 0.15;
 
-// The facets at each point, in the order of the facets.
-void fill_stars(FacetMesh& mesh, std::size_t points) {
-  mesh.first.assign(points + 1, 0);
-  for (const Triangle& t : mesh.facets)
-    for (Index v : t) ++mesh.first[v + 1];
-  for (std::size_t v = 0; v < points; ++v) mesh.first[v + 1] += mesh.first[v];
-  mesh.around.resize(mesh.facets.size() * 3);
-  std::vector<Index> next(mesh.first.begin(), mesh.first.end() - 1);
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    for (Index v : mesh.facets[f]) mesh.around[next[v]++] = static_cast<Index>(f);
-}
-
 // The facet that has the directed side a -> b.
 Index facet_with_side(const FacetMesh& mesh, Index a, Index b) {
   for (Index f : mesh.star(a))
@@ -53,8 +41,7 @@ void keep_distinct(std::vector<Index>& list) {
 
 FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points,
                      unsigned threads)
-    : facets(std::move(triangles)) {
-  fill_stars(*this, points.size());
+    : facets(std::move(triangles)), stars(points.size(), facets) {
   neighbours.resize(facets.size());
   normal.resize(facets.size());
   parallel_for(facets.size(), threads, [&](std::size_t f) {

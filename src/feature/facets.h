@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arris/types.h"
+#include "feature/facet_stars.h"
 
 namespace arris {
 
@@ -14,15 +15,13 @@ struct FacetMesh {
   std::vector<Triangle> facets;                  // indices of points, outward
   std::vector<std::array<Index, 3>> neighbours;  // [f][i]: across the side opposite corner i
   std::vector<Vec3> normal;                      // unit; zero where a facet has none to judge by
-  std::vector<Index> first, around;              // facets at point v: around[first[v]..first[v+1])
+  FacetStars stars;
 
   // Every side must be shared by exactly two facets, in opposite directions; throws
   // Failure(internal) otherwise. O(points + facets) for bounded degrees.
   FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points, unsigned threads);
 
-  std::span<const Index> star(Index v) const noexcept {
-    return {around.data() + first[v], around.data() + first[v + 1]};
-  }
+  std::span<const Index> star(Index v) const noexcept { return stars[v]; }
 };
 
 // The points that share a facet with v, ascending. O(degree).

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <span>
 
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
+#include "feature/facet_stars.h"
 
 namespace arris {
 namespace {
@@ -30,27 +30,6 @@ constexpr double smallest_area = 0.05;
 // A point off the surface looks at the triangles round this many points on it.
 constexpr std::size_t nearest_present = 4;
 
-// Triangles at every point, in compressed rows.
-class Umbrellas {
- public:
-  Umbrellas(std::size_t points, const std::vector<Triangle>& triangles) : start_(points + 1, 0) {
-    for (const Triangle& t : triangles)
-      for (Index v : t) ++start_[v + 1];
-    for (std::size_t v = 0; v < points; ++v) start_[v + 1] += start_[v];
-    list_.resize(start_[points]);
-    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (Index v : triangles[t]) list_[next[v]++] = static_cast<Index>(t);
-  }
-  std::span<const Index> operator[](Index v) const noexcept {
-    return {list_.data() + start_[v], list_.data() + start_[v + 1]};
-  }
-
- private:
-  std::vector<std::size_t> start_;
-  std::vector<Index> list_;
-};
-
 void make_set(std::vector<Index>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -63,11 +42,11 @@ class Finder {
       : points_(points),
         triangles_(triangles),
         spacing_(spacing),
-        umbrellas_(points.size(), triangles),
+        stars_(points.size(), triangles),
         height_(points.size(), 0) {
     for (Index p = 0; p < points_.size(); ++p) {
-      if (!umbrellas_[p].empty()) present_.push_back(p);
-      (umbrellas_[p].empty() ? absent_points_ : present_points_).push_back(points_[p]);
+      if (!stars_[p].empty()) present_.push_back(p);
+      (stars_[p].empty() ? absent_points_ : present_points_).push_back(points_[p]);
     }
     present_tree_ = std::make_unique<NearestSample>(present_points_);
     if (!absent_points_.empty()) absent_tree_ = std::make_unique<NearestSample>(absent_points_);
@@ -109,7 +88,7 @@ class Finder {
   void look_round(Index p, Surroundings& s) const {
     s.ring.clear();
     s.facets.clear();
-    for (Index t : umbrellas_[p])
+    for (Index t : stars_[p])
       for (Index v : triangles_[t])
         if (v != p) s.ring.push_back(v);
     if (s.ring.empty()) {
@@ -118,7 +97,7 @@ class Finder {
     }
     make_set(s.ring);
     for (Index v : s.ring)
-      for (Index t : umbrellas_[v])
+      for (Index t : stars_[v])
         if (std::find(triangles_[t].begin(), triangles_[t].end(), p) == triangles_[t].end())
           s.facets.push_back(t);
     make_set(s.facets);
@@ -127,7 +106,7 @@ class Finder {
   // Whether the surface passes p by. If others that it leaves aside are nearer than the surface, a
   // whole part is missing, and p may be right.
   bool has_surface_round(Index p, Surroundings& s) const {
-    if (!umbrellas_[p].empty()) return true;
+    if (!stars_[p].empty()) return true;
     absent_tree_->nearest(points_[p], 2, s.hits);  // p and the nearest other
     return s.hits.size() < 2 || s.hits[1].distance > (*present_tree_)(points_[p]).distance;
   }
@@ -173,7 +152,7 @@ class Finder {
   const std::vector<Vec3>& points_;
   const std::vector<Triangle>& triangles_;
   const std::vector<double>& spacing_;
-  Umbrellas umbrellas_;
+  FacetStars stars_;
   std::vector<double> height_;
   std::vector<Index> present_;  // points on the surface
   std::vector<Vec3> present_points_, absent_points_;

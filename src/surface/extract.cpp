@@ -21,18 +21,23 @@ std::vector<Index> compact(std::size_t points, std::vector<Cell>& cells) {
 
 }  // namespace
 
-ExtractedSurface extract_surface(const TetMesh& mesh, const Labels& labels) {
-  ExtractedSurface surface;
+std::vector<Triangle> boundary_triangles(const TetMesh& mesh, const Labels& labels) {
+  std::vector<Triangle> triangles;
   for (std::size_t t = 0; t < mesh.finite; ++t) {
     if (!labels[t]) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       if (labels[mesh.neighbours[t][i]]) continue;
       const auto& k = facet_corners[i];
-      surface.triangles.push_back({mesh.vertices[t][static_cast<std::size_t>(k[0])],
-                                   mesh.vertices[t][static_cast<std::size_t>(k[1])],
-                                   mesh.vertices[t][static_cast<std::size_t>(k[2])]});
+      triangles.push_back({mesh.vertices[t][static_cast<std::size_t>(k[0])],
+                           mesh.vertices[t][static_cast<std::size_t>(k[1])],
+                           mesh.vertices[t][static_cast<std::size_t>(k[2])]});
     }
   }
+  return triangles;
+}
+
+ExtractedSurface extract_surface(const TetMesh& mesh, const Labels& labels) {
+  ExtractedSurface surface{{}, boundary_triangles(mesh, labels)};
   surface.point = compact(mesh.points.size(), surface.triangles);
   return surface;
 }

@@ -8,6 +8,10 @@
 
 namespace arris {
 
+// The facets between inside and outside, oriented outwards, as indices of TetMesh::points.
+// O(tetrahedra).
+std::vector<Triangle> boundary_triangles(const TetMesh& mesh, const Labels& labels);
+
 // Triangles oriented outwards over the points of the TetMesh that they use. Vertices keep the order
 // of the points; `point` says which each is. O(tetrahedra).
 struct ExtractedSurface {
