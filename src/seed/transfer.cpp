@@ -44,6 +44,21 @@ Tet find_tet(const TetMesh& mesh, const Stars& stars, std::array<Index, 4> corne
   return no_tet;
 }
 
+// The tetrahedra with a corner that `coarse` has not, and those beyond their facets.
+std::vector<std::uint8_t> near_added(const TetMesh& fine, std::size_t known, unsigned threads) {
+  const auto has_added = [&](Tet t) {
+    const auto& corners = fine.vertices[t];
+    return fine.is_finite(t) && *std::max_element(corners.begin(), corners.end()) >= known;
+  };
+  std::vector<std::uint8_t> marked(fine.finite);
+  parallel_for(fine.finite, threads, [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
+    const auto& round = fine.neighbours[t];
+    marked[t] = has_added(t) || std::any_of(round.begin(), round.end(), has_added);
+  });
+  return marked;
+}
+
 }  // namespace
 
 Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
@@ -87,7 +102,8 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
   result.confidence = seeds.confidence;
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
-  result.hint.assign(fine.finite, 0);
+  // What the points were added to correct must not vote against them.
+  result.hint = near_added(fine, coarse.points.size(), job.threads());
   parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
     const auto t = static_cast<Tet>(i);
     const auto& corners = fine.vertices[t];

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/known_solids.h"
 #include "tetra/background.h"
 
@@ -103,6 +105,39 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
     EXPECT_GT(deep, 100u) << solid.name;
     EXPECT_EQ(wrong, 0u) << solid.name << " of " << deep;
   }
+}
+
+// The labels where points were added, and one facet beyond, may be overruled.
+TEST(FollowSeeds, AreHintsAtAddedPoints) {
+  const Carried c(known_solids(600)[0]);
+  const std::size_t samples = c.coarse.mesh.points.size();
+  std::vector<Vec3> points = c.coarse.mesh.points;
+  std::vector<double> spacing = c.coarse.spacing;
+  const Vec3 nearest = *std::min_element(points.begin() + 1, points.end(), [&](Vec3 a, Vec3 b) {
+    return distance(a, points[0]) < distance(b, points[0]);
+  });
+  points.push_back(0.5 * (points[0] + nearest));
+  spacing.push_back(spacing[0]);
+  OneStageJob job;
+  const TetMesh fine = delaunay(points, points.size(), job);
+  const Seeds seeds =
+      follow_seeds(c.coarse.mesh, c.coarse.stars, c.labels, c.given, fine, {0}, spacing, job);
+  const auto is_new = [&](Tet t) {
+    return fine.is_finite(t) &&
+           std::count(fine.vertices[t].begin(), fine.vertices[t].end(), samples);
+  };
+  std::size_t at = 0, beyond = 0, elsewhere = 0;
+  for (Tet t = 0; t < fine.finite; ++t) {
+    const auto& round = fine.neighbours[t];
+    const bool near = std::any_of(round.begin(), round.end(), is_new);
+    const bool flat = largest_base(fine, t).height < sliver_height * mean_spacing(fine, spacing, t);
+    (is_new(t) ? at : near ? beyond : elsewhere) += 1;
+    EXPECT_FALSE(seeds.firm[t] && is_new(t));
+    EXPECT_TRUE(flat || seeds.hint[t] == (is_new(t) || near));
+  }
+  EXPECT_GT(at, 4u);
+  EXPECT_GT(beyond, 4u);
+  EXPECT_GT(elsewhere, 100u);
 }
 
 }  // namespace
