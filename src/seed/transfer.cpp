@@ -32,18 +32,6 @@ bool is_bridge(const TetMesh& mesh, Tet t, const TetBase& base, double h) {
          base.height < flat_height * h;
 }
 
-// The tetrahedron of `mesh` with these corners, or no_tet.
-Tet find_tet(const TetMesh& mesh, const Stars& stars, std::array<Index, 4> corners) {
-  std::sort(corners.begin(), corners.end());
-  if (corners[3] >= mesh.points.size()) return no_tet;
-  for (Tet t : stars[corners[0]]) {
-    std::array<Index, 4> other = mesh.vertices[t];
-    std::sort(other.begin(), other.end());
-    if (other == corners) return t;
-  }
-  return no_tet;
-}
-
 }  // namespace
 
 Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
@@ -76,9 +64,9 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
   return result;
 }
 
-Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labels,
-                   const Seeds& seeds, const TetMesh& fine, const std::vector<Index>& near,
-                   const std::vector<double>& spacing, Job& job) {
+Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
+                   const TetMesh& fine, const std::vector<Tet>& former,
+                   const std::vector<Index>& near, const std::vector<double>& spacing, Job& job) {
   job.tick(0);
   const std::vector<Tet> star = star_seeds(coarse);
   const std::vector<Circumball> balls = circumballs(fine, job.threads());
@@ -88,26 +76,29 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
   result.hint.assign(fine.finite, 0);
-  parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
-    const auto t = static_cast<Tet>(i);
+  const auto label_at = [&](Tet t) {
+    if (former[t] != no_tet) return labels[former[t]];
     const auto& corners = fine.vertices[t];
     const Index v = *std::min_element(corners.begin(), corners.end());
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
+    return labels[locate(coarse, centroid(fine, t), star[known])];
+  };
+  parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
     const double h = mean_spacing(fine, spacing, t);
     const TetBase base = largest_base(fine, t);
     if (base.height < sliver_height * h) {
       // One that was there before keeps its label for good. What holds the centroid of a new one is
       // chance: it may only break ties, or a stack of them would fold the surface over a face.
-      const Tet same = find_tet(coarse, stars, corners);
-      if (same != no_tet) {
-        result.label[t] = labels[same];
+      if (former[t] != no_tet) {
+        result.label[t] = labels[former[t]];
         result.firm[t] = 1;
         return;
       }
       result.hint[t] = 1;
     }
     const bool bridge = is_bridge(fine, t, base, h);
-    result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
+    result.label[t] = bridge ? seed_free : label_at(t);
     result.firm[t] = !bridge && !result.hint[t] && balls[t].radius > firm_radius * h;
   });
   return result;

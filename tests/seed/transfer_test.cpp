@@ -70,23 +70,23 @@ TEST(TransferSeeds, DoNotDependOnThreads) {
 TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
   for (const KnownSolid& solid : known_solids(600)) {
     const Carried c(solid);
-    std::vector<Vec3> points = solid.samples;
+    std::vector<Vec3> added;
     std::vector<double> spacing = c.coarse.spacing;
     std::vector<Index> near;
     for (Index v = 0; v + 1 < solid.samples.size(); v += 7) {
       const Tet t = c.coarse.stars[v][0];
       Vec3 middle;  // of an edge, which is near the surface or in its hull
       for (Index w : c.coarse.mesh.vertices[t])
-        if (w != v && w < points.size()) middle = 0.5 * (points[v] + points[w]);
-      points.push_back(middle);
+        if (w != v && w < solid.samples.size())
+          middle = 0.5 * (solid.samples[v] + solid.samples[w]);
+      added.push_back(middle);
       near.push_back(v);
       spacing.push_back(c.coarse.spacing[v]);
     }
     OneStageJob job;
-    const std::size_t n = points.size();
-    const TetMesh fine = delaunay(points, n, job);
+    const auto [fine, former] = add_points(c.coarse.mesh, added, near, job);
     const Seeds seeds =
-        follow_seeds(c.coarse.mesh, c.coarse.stars, c.labels, c.given, fine, near, spacing, job);
+        follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, near, spacing, job);
     EXPECT_EQ(seeds.confidence, c.given.confidence);
     ASSERT_EQ(seeds.label.size(), fine.finite);
     std::size_t deep = 0, wrong = 0;
