@@ -105,7 +105,7 @@ class RobustFit {
     constexpr bool plane = N == 3;
     const double floor = std::max(exact, data_.roughness / data_.h);
     for (int step = 0; step < (plane ? plane_steps : quadric_steps); ++step) {
-      measure();
+      measure<N>();
       const double median = median_residual();
       if (plane && step == 1 && median > std::max(curved, 2 * floor)) return false;
       if (*std::max_element(residual_.begin(), residual_.end()) <= floor) return true;
@@ -124,9 +124,15 @@ class RobustFit {
   }
 
   // Distances of the members, to first order.
+  template <std::size_t N>
   void measure() {
+    const double flat = std::sqrt(1 + c_[1] * c_[1] + c_[2] * c_[2]);
     for (std::size_t k = 0; k < place_.size(); ++k) {
       const auto& [x, y, z] = place_[k];
+      if (N == 3) {
+        residual_[k] = std::abs(z - (c_[0] + c_[1] * x + c_[2] * y)) / flat;
+        continue;
+      }
       const double zx = c_[1] + 2 * c_[3] * x + c_[4] * y, zy = c_[2] + c_[4] * x + 2 * c_[5] * y;
       const double height =
           c_[0] + c_[1] * x + c_[2] * y + c_[3] * x * x + c_[4] * x * y + c_[5] * y * y;
@@ -149,7 +155,7 @@ class RobustFit {
   }
 
   bool is_plane() {
-    measure();
+    measure<3>();
     const double near = std::max(10 * exact, 2 * data_.roughness / data_.h);
     const auto on =
         std::count_if(residual_.begin(), residual_.end(), [&](double r) { return r <= near; });
