@@ -78,20 +78,21 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
                         job);
   if (features.size() == known) return next;
-  std::vector<Vec3> points = stage.mesh.points;
+  std::vector<Vec3> added;
   std::vector<Index> near;
   next.model = stage.model;
   next.roughness = stage.roughness;
   for (std::size_t k = known; k < features.size(); ++k) {
     features[k].position = given.frame.to_local(given.frame.to_user(features[k].position));
-    points.push_back(features[k].position);
+    added.push_back(features[k].position);
     near.push_back(features[k].near);
     next.model.spacing.push_back(features[k].spacing);
   }
-  next.model.sides = sides_of(points, samples, sensed, features);
-  next.mesh = delaunay(std::move(points), samples + features.size(), job);
+  Extension extension = add_points(stage.mesh, added, near, job);
+  next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);
-  next.seeds = follow_seeds(stage.mesh, stage.stars, labels, stage.seeds, next.mesh, near,
+  next.model.sides = sides_of(next.mesh.points, samples, sensed, features);
+  next.seeds = follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, near,
                             next.model.spacing, job);
   return next;
 }

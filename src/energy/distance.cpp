@@ -83,20 +83,37 @@ double nearest_squared(Vec3 p, const Vec3* samples, std::size_t count) {
 }
 
 // Mean over the triangle of the distance to the nearest sample, at the centroids of its subdivision
-// into `parts` squared similar triangles.
+// into `parts` squared similar triangles. Coordinate by coordinate, for vector instructions.
 double sampled_mean(const Corners& x, const Vec3* samples, std::size_t count) {
   constexpr int parts = 8;  // error below 2 %, mostly far below
+  constexpr std::size_t places = parts * parts;
+  using Places = std::array<double, places>;
   const Vec3 u = 1.0 / parts * (x[1] - x[0]), v = 1.0 / parts * (x[2] - x[0]);
-  double sum = 0;
+  Places px, py, pz, nearest;
+  std::size_t size = 0;
   const auto add = [&](double i, double j) {
-    sum += std::sqrt(nearest_squared(x[0] + i * u + j * v, samples, count));
+    const Vec3 p = x[0] + i * u + j * v;
+    px[size] = p.x;
+    py[size] = p.y;
+    pz[size++] = p.z;
   };
   for (int i = 0; i < parts; ++i)
     for (int j = 0; i + j < parts; ++j) {
       add(i + 1.0 / 3, j + 1.0 / 3);
       if (i + j + 1 < parts) add(i + 2.0 / 3, j + 2.0 / 3);
     }
-  return sum / (parts * parts);
+  nearest.fill(std::numeric_limits<double>::infinity());
+  for (std::size_t s = 0; s < count; ++s) {
+    const Vec3 q = samples[s];
+    for (std::size_t k = 0; k < places; ++k) {
+      const double dx = px[k] - q.x, dy = py[k] - q.y, dz = pz[k] - q.z;
+      const double d = dx * dx + dy * dy + dz * dz;
+      nearest[k] = d < nearest[k] ? d : nearest[k];
+    }
+  }
+  double sum = 0;
+  for (const double d : nearest) sum += std::sqrt(d);
+  return sum / places;
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
+#include "base/angle.h"
 #include "feature/meet.h"
 #include "feature/point_grid.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 // Least angle between the surfaces of a feature: 30 degrees is a sharp edge by common usage; what
 // bends less keeps the bevel of its samples.
-constexpr double least_angle = 25 * std::numbers::pi / 180;
+constexpr double least_angle = radians(25);
 const double largest_cosine = std::cos(least_angle);
 // Newton's steps go through worse conditioned places.
 const double least_sine = std::sin(least_angle) / 2;

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/angle.h"
 
 namespace arris {
 namespace {
-
-constexpr double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
 
 constexpr int least_support = 3;
 
@@ -18,34 +15,51 @@ constexpr int least_support = 3;
 const Council::Agreement Council::tight = {on_surface, radians(2)};
 const Council::Agreement Council::loose = {0.05, radians(8)};
 
-void Council::propose(Index v, const Agreement& agreement, bool own_only) {
-  proposals_.clear();
-  const auto add = [&](Index w) {
-    for (const LocalSurface& s : found_[w])
-      if (std::abs(s.distance(points_[v])) <= on_surface_distance(spacing_[v], roughness_))
-        proposals_.push_back({&s, w == v, support(s, v, agreement)});
-  };
-  add(v);
-  if (own_only) return;
-  for (Index w : near_) add(w);
+void add_distinct(const LocalSurface& s, Vec3 p, std::vector<LocalSurface>& sides) {
+  static const double crease = std::cos(radians(least_crease_degrees));
+  const Vec3 n = s.normal(p);
+  if (std::all_of(sides.begin(), sides.end(),
+                  [&](const LocalSurface& o) { return dot(o.normal(p), n) < crease; }))
+    sides.push_back(s);
 }
 
-int Council::support(const LocalSurface& s, Index v, const Agreement& agreement) const {
-  int count = 0;
-  const Vec3 n = s.normal(points_[v]);
+// Those near v that pass through it.
+void Council::listen(Index v, double far) {
+  voices_.clear();
+  for (Index w : near_)
+    for (const LocalSurface& s : found_[w])
+      if (std::abs(s.distance(points_[v])) <= far) voices_.push_back({w, &s, s.normal(points_[v])});
+}
+
+void Council::propose(Index v, const Agreement& agreement, bool own_only) {
   const double far = agreement.distance * spacing_[v] + 2 * roughness_;
   const double cosine = std::cos(agreement.angle + 2 * roughness_ / spacing_[v]);
-  for (Index w : near_) {
-    if (found_[w].empty() || std::abs(s.distance(points_[w])) > far) continue;
-    count += std::any_of(found_[w].begin(), found_[w].end(), [&](const LocalSurface& o) {
-      return std::abs(o.distance(points_[v])) <= far && dot(o.normal(points_[v]), n) >= cosine;
-    });
+  const double on = on_surface_distance(spacing_[v], roughness_);
+  listen(v, far);
+  proposals_.clear();
+  for (const LocalSurface& s : found_[v])
+    if (std::abs(s.distance(points_[v])) <= on)
+      proposals_.push_back({&s, support(s, s.normal(points_[v]), far, cosine)});
+  if (own_only) return;
+  for (const Voice& o : voices_)
+    if (std::abs(o.surface->distance(points_[v])) <= on)
+      proposals_.push_back({o.surface, support(*o.surface, o.normal, far, cosine)});
+}
+
+// The points that have found a surface like s, which has that normal at v.
+int Council::support(const LocalSurface& s, Vec3 normal, double far, double cosine) const {
+  int count = 0;
+  Index last = no_index;
+  for (const Voice& o : voices_) {
+    if (o.point == last || dot(o.normal, normal) < cosine) continue;
+    if (std::abs(s.distance(points_[o.point])) > far) continue;
+    last = o.point;  // counts once
+    ++count;
   }
   return count;
 }
 
 void Council::settle(Index v, std::vector<LocalSurface>& out) {
-  static const double crease = std::cos(radians(least_crease_degrees));
   two_rings(mesh_, v, near_);
   for (bool loosely : {false, true}) {
     propose(v, loosely ? loose : tight, loosely);
@@ -55,10 +69,7 @@ void Council::settle(Index v, std::vector<LocalSurface>& out) {
                      });
     for (const Proposal& p : proposals_) {
       if (p.support < least_support) break;
-      const Vec3 n = p.surface->normal(points_[v]);
-      if (std::all_of(out.begin(), out.end(),
-                      [&](const LocalSurface& s) { return dot(s.normal(points_[v]), n) < crease; }))
-        out.push_back(*p.surface);
+      add_distinct(*p.surface, points_[v], out);
     }
     if (!out.empty()) return;
   }

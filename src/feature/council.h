@@ -17,6 +17,9 @@ inline double on_surface_distance(double spacing, double roughness) {
   return on_surface * spacing + 2 * roughness;
 }
 
+// Appends s to the sides at p unless one of them has nearly its direction there.
+void add_distinct(const LocalSurface& s, Vec3 p, std::vector<LocalSurface>& sides);
+
 // A patch may have been grown from a bad start, or across a feature. A surface counts if at least
 // `least_support` points within two rings have found it too; those found by most come first. First
 // among those that agree tightly, as samples on a plane do; failing that, the point's own, loosely.
@@ -34,15 +37,21 @@ class Council {
  private:
   struct Proposal {
     const LocalSurface* surface;
-    bool own;
     int support;
   };
   struct Agreement {
     double distance, angle;  // distance in units of spacing, radians
   };
+  // A surface that was found at a point near v, and its normal at v.
+  struct Voice {
+    Index point;
+    const LocalSurface* surface;
+    Vec3 normal;
+  };
   static const Agreement tight, loose;
+  void listen(Index v, double far);
   void propose(Index v, const Agreement& agreement, bool own_only);
-  int support(const LocalSurface& s, Index v, const Agreement& agreement) const;
+  int support(const LocalSurface& s, Vec3 normal, double far, double cosine) const;
 
   const std::vector<Vec3>& points_;
   const FacetMesh& mesh_;
@@ -50,6 +59,7 @@ class Council {
   const std::vector<std::vector<LocalSurface>>& found_;
   double roughness_;
   std::vector<Index> near_;
+  std::vector<Voice> voices_;  // in the order of near_
   std::vector<Proposal> proposals_;
 };
 

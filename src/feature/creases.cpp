@@ -2,29 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "base/angle.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
 namespace arris {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
 // Hysteresis: a strong edge turns by the first angle and by the first multiple of what curvature
 // and noise explain, a weak edge by the second.
-constexpr double strong_angle = 20 * degree, weak_angle = 10 * degree;
+constexpr double strong_angle = radians(20), weak_angle = radians(10);
 constexpr double strong_ratio = 3, weak_ratio = 2;
 
 // A clear edge turns by the first angle, which no surface does that is sampled well enough to be
 // reconstructed, and by the multiple that noise and curvature reach at one edge in a hundred.
-constexpr double clear_angle = 60 * degree, clear_ratio = 5;
+constexpr double clear_angle = radians(60), clear_ratio = 5;
 
 // Or it lies between facets of several triangles, flat up to rounding: those of a polyhedron drawn
 // with few triangles, where curvature cannot be told from the edges themselves.
-constexpr double flat = 0.1 * degree;
+constexpr double flat = radians(0.1);
 
 // A line of edges without a clear one needs this many, so many of them strong.
 constexpr std::uint32_t shortest_line = 5, least_strong = 2;

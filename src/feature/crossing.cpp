@@ -1,14 +1,15 @@
 #include "feature/crossing.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/angle.h"
 
 namespace arris {
 namespace {
 
 // Bounds of agreement: below the least angle of a crease, above what two fits on one side of a
 // curved surface differ by.
-const double agreeing_cosine = std::cos(18 * std::numbers::pi / 180);
+const double agreeing_cosine = std::cos(radians(18));
 constexpr double agreeing_distance = 0.1;  // in units of spacing
 // A point this near to a plane is on neither side of it (in units of spacing).
 constexpr double level = 1e-6;

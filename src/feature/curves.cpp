@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.h"
 #include "base/vec.h"
 
 namespace arris {
 namespace {
 
-constexpr double degree_angle = std::numbers::pi / 180;
-
 // A line that bends by this much, and by this multiple of what it bends a step before and after,
 // has a corner there.
-constexpr double corner_bend = 50 * degree_angle;
+constexpr double corner_bend = radians(50);
 constexpr double corner_ratio = 2;
 
 // A curve is convex or concave if this share of its length is.
@@ -92,8 +90,8 @@ class Tracer {
     curve.closed = curve.vertices.front() == curve.vertices.back() && !is_corner_[v];
     if (curve.closed) curve.vertices.pop_back();
     const double mean = curve.length > 0 ? turned / curve.length : sharpest;
-    curve.mean_angle = 180 - mean / degree_angle;
-    curve.sharpest_angle = 180 - sharpest / degree_angle;
+    curve.mean_angle = 180 - degrees(mean);
+    curve.sharpest_angle = 180 - degrees(sharpest);
     curve.kind = ridge >= clear_share * curve.length         ? CurveKind::convex
                  : ridge <= (1 - clear_share) * curve.length ? CurveKind::concave
                                                              : CurveKind::mixed;

@@ -32,6 +32,11 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& points) {
   return area > sliver * longest ? (1 / area) * n : Vec3{};
 }
 
+// The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
+Index next_corner(const Triangle& t, Index v) {
+  return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+}
+
 void keep_distinct(std::vector<Index>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -54,21 +59,20 @@ FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& p
 
 void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
   out.clear();
-  for (Index f : mesh.star(v))
-    for (Index w : mesh.facets[f])
-      if (w != v) out.push_back(w);
+  for (Index f : mesh.star(v)) out.push_back(next_corner(mesh.facets[f], v));
   keep_distinct(out);
 }
 
 void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
   out.clear();
-  for (Index f : mesh.star(v))
-    for (Index w : mesh.facets[f]) {
-      if (w == v) continue;
-      for (Index g : mesh.star(w))
-        for (Index x : mesh.facets[g])
-          if (x != v) out.push_back(x);
+  for (Index f : mesh.star(v)) {
+    const Index w = next_corner(mesh.facets[f], v);
+    out.push_back(w);
+    for (Index g : mesh.star(w)) {
+      const Index x = next_corner(mesh.facets[g], w);
+      if (x != v) out.push_back(x);
     }
+  }
   keep_distinct(out);
 }
 

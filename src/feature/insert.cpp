@@ -19,12 +19,11 @@ void thin(const std::vector<Candidate>& candidates, const NearestSample& nearest
           std::vector<FeaturePoint>& features) {
   for (const Candidate& c : candidates) {
     const FeaturePoint& p = c.point;
-    if (nearest(p.position).distance < occupied * p.spacing) continue;
     bool free = true;
     grid.visit(p.position, [&](Index i) {
       free = free && distance(features[i].position, p.position) >= apart * p.spacing;
     });
-    if (!free) continue;
+    if (!free || nearest(p.position).distance < occupied * p.spacing) continue;
     grid.add(p.position, static_cast<Index>(features.size()));
     features.push_back(p);
   }
@@ -66,7 +65,8 @@ void insert_feature_points(const std::vector<Vec3>& points, std::size_t samples,
   }
   thin(corners, nearest, grid, features);
   thin(edges, nearest, grid, features);
-  protect_curves(points, mesh, marked_samples(points, samples, spacing, sensed), features, job);
+  protect_curves(points, nearest, mesh, marked_samples(points, samples, spacing, sensed), features,
+                 job);
 }
 
 }  // namespace arris

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "arris/types.h"
 #include "base/vec.h"
@@ -16,9 +17,28 @@ struct LocalSurface {
   std::array<double, 6> c{};
 
   // Signed distance to first order: positive outside.
-  double distance(Vec3 p) const noexcept;
+  double distance(Vec3 p) const noexcept {
+    const Foot f = foot(p);
+    return (f.above - f.z) / std::sqrt(1 + f.zx * f.zx + f.zy * f.zy);
+  }
   // Outward unit normal at the foot of p.
-  Vec3 normal(Vec3 p) const noexcept;
+  Vec3 normal(Vec3 p) const noexcept {
+    const Foot f = foot(p);
+    const Vec3 g = n - f.zx * u - f.zy * v;
+    return (1 / length(g)) * g;
+  }
+
+ private:
+  // p over the tangent plane, and the height field with its slope there.
+  struct Foot {
+    double above, z, zx, zy;
+  };
+  Foot foot(Vec3 p) const noexcept {
+    const Vec3 d = p - origin;
+    const double x = dot(d, u), y = dot(d, v);
+    return {dot(d, n), c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y,
+            c[1] + 2 * c[3] * x + c[4] * y, c[2] + c[4] * x + 2 * c[5] * y};
+  }
 };
 
 // A plane through `origin` with unit normal `n`.

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.h"
 #include "base/vec.h"
 
 namespace arris {
 namespace {
 
-constexpr double degree_angle = std::numbers::pi / 180;
-
 // A gap of at most this many edges is closed, along edges that turn by at least this much and bend
 // the line by no more than that.
 constexpr int longest_gap = 3;
-constexpr double gap_turning = 4 * degree_angle, gap_bend = 50 * degree_angle;
+constexpr double gap_turning = radians(4), gap_bend = radians(50);
 
 // A loose end shorter than this many edges is a stub, a line loose at both ends one of fewer than
 // twice as many.

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numbers>
-#include <queue>
 
+#include "base/angle.h"
 #include "feature/fit.h"
 
 namespace arris {
@@ -22,11 +21,7 @@ constexpr double reach = 3.5;
 constexpr double fit_width = 1.5;
 // Least sector of the star of the centre, radians, that a patch must cover: facets across a bevel
 // cover less.
-constexpr double least_sector = 50 * std::numbers::pi / 180;
-
-bool contains(const std::vector<Index>& list, Index i) {
-  return std::find(list.begin(), list.end(), i) != list.end();
-}
+constexpr double least_sector = radians(50);
 
 // The fit is renewed at growing intervals.
 bool is_due(std::size_t members) {
@@ -36,14 +31,24 @@ bool is_due(std::size_t members) {
 
 }  // namespace
 
-PatchTolerance::PatchTolerance(double radians) : angle(radians), tangent(std::tan(radians)) {}
-
 Vec3 PatchGrower::middle(Index f) const {
   const Triangle& t = mesh_.facets[f];
   return 1.0 / 3 * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
 }
 
-bool PatchGrower::accepts(const Patch& patch, Index f, const PatchTolerance& tolerance) const {
+void PatchGrower::push(Index facet, double distance) {
+  frontier_.emplace_back(distance, facet);
+  std::push_heap(frontier_.begin(), frontier_.end(), std::greater<>());
+}
+
+Index PatchGrower::pop() {
+  std::pop_heap(frontier_.begin(), frontier_.end(), std::greater<>());
+  const Index nearest = frontier_.back().second;
+  frontier_.pop_back();
+  return nearest;
+}
+
+bool PatchGrower::accepts(const Patch& patch, Index f, const Limits& limits) const {
   const double h = spacing_[patch.members[0]];
   const bool quadric = patch.members.size() >= quadric_members;
   for (Index v : mesh_.facets[f]) {
@@ -51,21 +56,20 @@ bool PatchGrower::accepts(const Patch& patch, Index f, const PatchTolerance& tol
     const double far = distance(p, patch.surface.origin);
     if (far > reach * h) return false;
     const double lever = quadric ? h / 4 : std::max(h, far) / 2;
-    if (std::abs(patch.surface.distance(p)) > tolerance.tangent * lever + 2 * roughness_)
-      return false;
+    if (std::abs(patch.surface.distance(p)) > limits.tangent * lever + 2 * roughness_) return false;
   }
   const Vec3 n = mesh_.normal[f];
   if (n == Vec3{}) return true;
-  const double lean = (quadric ? 1 : 2) * tolerance.angle + 2 * roughness_ / h;
-  return dot(n, patch.surface.normal(middle(f))) >= std::cos(lean);
+  return dot(n, patch.surface.normal(middle(f))) >=
+         (quadric ? limits.quadric_cosine : limits.plane_cosine);
 }
 
 // Returns whether a point came with it.
-bool PatchGrower::add_facet(Patch& patch, Index f) const {
+bool PatchGrower::add_facet(Patch& patch, Index f) {
   patch.facets.push_back(f);
   const std::size_t before = patch.members.size();
   for (Index v : mesh_.facets[f]) {
-    if (contains(patch.members, v)) continue;
+    if (!members_.insert(v)) continue;
     const double d = distance(points_[v], patch.surface.origin) / spacing_[patch.members[0]];
     patch.members.push_back(v);
     patch.weight.push_back(std::exp(-d * d / (2 * fit_width * fit_width)));
@@ -73,29 +77,32 @@ bool PatchGrower::add_facet(Patch& patch, Index f) const {
   return patch.members.size() > before;
 }
 
-Patch PatchGrower::grow(Index centre, Index seed, const PatchTolerance& tolerance) const {
+Patch PatchGrower::grow(Index centre, Index seed, const PatchTolerance& tolerance) {
   Patch patch;
+  patch.members.reserve(most_members + 2);
+  patch.weight.reserve(most_members + 2);
   patch.members.push_back(centre);
   patch.weight.push_back(1);
   if (mesh_.normal[seed] == Vec3{}) return patch;
   patch.surface = tangent_plane(points_[centre], mesh_.normal[seed]);
   const FitData data{points_, patch.members, patch.weight, spacing_[centre], roughness_};
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
-  std::vector<Index> seen{seed};
-  frontier.emplace(0, seed);
-  while (!frontier.empty() && patch.members.size() < most_members) {
-    const Index f = frontier.top().second;
-    frontier.pop();
-    if (f != seed && !accepts(patch, f, tolerance)) continue;
+  const double rough = 2 * roughness_ / spacing_[centre];
+  const Limits limits{std::cos(2 * tolerance.angle + rough), std::cos(tolerance.angle + rough),
+                      tolerance.tangent};
+  members_.clear();
+  members_.insert(centre);
+  seen_.clear();
+  seen_.insert(seed);
+  frontier_.clear();
+  push(seed, 0);
+  while (!frontier_.empty() && patch.members.size() < most_members) {
+    const Index f = pop();
+    if (f != seed && !accepts(patch, f, limits)) continue;
     if (add_facet(patch, f) && is_due(patch.members.size()))
       fit(data, patch.members.size() >= quadric_members ? Form::quadric : Form::plane,
           patch.surface);
-    for (Index g : mesh_.neighbours[f]) {
-      if (contains(seen, g)) continue;
-      seen.push_back(g);
-      frontier.emplace(distance(middle(g), points_[centre]), g);
-    }
+    for (Index g : mesh_.neighbours[f])
+      if (seen_.insert(g)) push(g, distance(middle(g), points_[centre]));
   }
   if (patch.members.size() >= large_members) fit_robustly(data, patch.surface);
   return patch;

@@ -5,10 +5,13 @@
 // fitting of osculating jets" (2003).
 #pragma once
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "feature/facets.h"
 #include "feature/local_surface.h"
+#include "feature/small_set.h"
 
 namespace arris {
 
@@ -21,13 +24,14 @@ struct Patch {
 
 // How far a facet may lean from the fit so far, and a point lie off it.
 struct PatchTolerance {
-  explicit PatchTolerance(double radians);
+  explicit PatchTolerance(double radians) : angle(radians), tangent(std::tan(radians)) {}
   double angle, tangent;
 };
 
 // Takes facets nearest first while they agree with the fit so far: a plane at first, a quadric from
 // `quadric_members` points on. At last the fit is made robust: points that the others do not bear
-// out lose their say, and it stays a plane if most lie on one. O(1): patches are bounded.
+// out lose their say, and it stays a plane if most lie on one. O(1): patches are bounded. One for
+// each thread: it keeps its scratch.
 class PatchGrower {
  public:
   // Holds on to all three. `roughness`: a length by which points lie off the surface, though clean.
@@ -36,20 +40,28 @@ class PatchGrower {
       : points_(points), mesh_(mesh), spacing_(spacing), roughness_(roughness) {}
 
   // The patch round `centre` that starts with facet `seed` of its star.
-  Patch grow(Index centre, Index seed, const PatchTolerance& tolerance) const;
+  Patch grow(Index centre, Index seed, const PatchTolerance& tolerance);
 
   // Members enough, on a wide enough sector round the centre, to be more than a bevel.
   bool is_large(const Patch& patch) const;
 
  private:
-  bool accepts(const Patch& patch, Index facet, const PatchTolerance& tolerance) const;
-  bool add_facet(Patch& patch, Index facet) const;
+  // What a patch accepts, as a plane and as a quadric.
+  struct Limits {
+    double plane_cosine, quadric_cosine, tangent;
+  };
+  bool accepts(const Patch& patch, Index facet, const Limits& limits) const;
+  bool add_facet(Patch& patch, Index facet);
   Vec3 middle(Index facet) const;
+  void push(Index facet, double distance);
+  Index pop();
 
   const std::vector<Vec3>& points_;
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
   double roughness_;
+  std::vector<std::pair<double, Index>> frontier_;  // a heap, nearest first
+  SmallSet seen_, members_;
 };
 
 }  // namespace arris

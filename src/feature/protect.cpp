@@ -28,9 +28,9 @@ constexpr double inside = 0.499;
 
 class Protector {
  public:
-  Protector(const std::vector<Vec3>& points, const FacetMesh& mesh, std::vector<FeaturePoint>& all,
-            double h)
-      : points_(points), mesh_(mesh), all_(all), nearest_(points), grid_(reach * h) {
+  Protector(const std::vector<Vec3>& points, const NearestSample& nearest, const FacetMesh& mesh,
+            std::vector<FeaturePoint>& all, double h)
+      : points_(points), nearest_(nearest), mesh_(mesh), all_(all), grid_(reach * h) {
     for (std::size_t i = 0; i < all_.size(); ++i)
       grid_.add(all_[i].position, static_cast<Index>(i));
   }
@@ -115,24 +115,24 @@ class Protector {
   }
 
   const std::vector<Vec3>& points_;
+  const NearestSample& nearest_;
   const FacetMesh& mesh_;
   std::vector<FeaturePoint>& all_;
-  NearestSample nearest_;
   PointGrid grid_;
 };
 
 }  // namespace
 
-void protect_curves(const std::vector<Vec3>& points, const FacetMesh& mesh,
-                    const std::vector<FeaturePoint>& marked, std::vector<FeaturePoint>& features,
-                    Job& job) {
+void protect_curves(const std::vector<Vec3>& points, const NearestSample& nearest,
+                    const FacetMesh& mesh, const std::vector<FeaturePoint>& marked,
+                    std::vector<FeaturePoint>& features, Job& job) {
   std::vector<FeaturePoint> all = features;
   all.insert(all.end(), marked.begin(), marked.end());
   double h = 0;
   for (const FeaturePoint& p : all) h = std::max(h, p.spacing);
   if (!(h > 0)) return;
   const auto known = static_cast<std::ptrdiff_t>(all.size());
-  Protector(points, mesh, all, h).run(job);
+  Protector(points, nearest, mesh, all, h).run(job);
   features.insert(features.end(), all.begin() + known, all.end());
 }
 

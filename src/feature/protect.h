@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "cloud/nearest.h"
 #include "feature/candidates.h"
 
 namespace arris {
@@ -13,9 +14,10 @@ namespace arris {
 // conforming Delaunay refinement (Ruppert, "A Delaunay refinement algorithm for quality
 // 2-dimensional mesh generation", 1995), and long ones in the middle, down to a least length.
 // `marked` are samples that lie on features: ends of gaps, never added. Gaps that are sides of
-// `mesh` are left alone. Appends to `features`. O(features log points).
-void protect_curves(const std::vector<Vec3>& points, const FacetMesh& mesh,
-                    const std::vector<FeaturePoint>& marked, std::vector<FeaturePoint>& features,
-                    Job& job);
+// `mesh` are left alone; `nearest` finds the nearest of `points`. Appends to `features`. O(features
+// log points).
+void protect_curves(const std::vector<Vec3>& points, const NearestSample& nearest,
+                    const FacetMesh& mesh, const std::vector<FeaturePoint>& marked,
+                    std::vector<FeaturePoint>& features, Job& job);
 
 }  // namespace arris

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.h"
 #include "base/parallel.h"
 #include "feature/council.h"
 #include "feature/patch.h"
 
 namespace arris {
 namespace {
-
-constexpr double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
 
 // Where no side within two rings bends by more than this, no feature of twice the angle can be.
 constexpr double least_bend = radians(8);
@@ -37,7 +33,7 @@ class Senser {
         spacing_(spacing),
         roughness_(roughness) {}
 
-  void sense(Index v, std::vector<LocalSurface>& out) const {
+  void sense(Index v, std::vector<LocalSurface>& out) {
     const double bend = least_bend_at(v);
     for (double tolerance : tolerances) {
       if (tolerance < bend && tolerance != tolerances.back()) continue;
@@ -45,7 +41,10 @@ class Senser {
       std::stable_sort(found.begin(), found.end(), [](const Patch& a, const Patch& b) {
         return a.members.size() > b.members.size();
       });
-      for (const Patch& p : found) keep(p.surface, v, out);
+      for (const Patch& p : found)
+        if (std::abs(p.surface.distance(points_[v])) <=
+            on_surface_distance(spacing_[v], roughness_))
+          add_distinct(p.surface, points_[v], out);
       if (!out.empty()) return;
     }
   }
@@ -61,7 +60,7 @@ class Senser {
   }
 
   // One from each facet of the star that those before do not cover.
-  std::vector<Patch> patches(Index v, const PatchTolerance& tolerance) const {
+  std::vector<Patch> patches(Index v, const PatchTolerance& tolerance) {
     std::vector<Patch> found;
     for (Index f : mesh_.star(v)) {
       const bool covered = std::any_of(found.begin(), found.end(), [&](const Patch& p) {
@@ -72,15 +71,6 @@ class Senser {
       if (grower_.is_large(p)) found.push_back(std::move(p));
     }
     return found;
-  }
-
-  void keep(const LocalSurface& s, Index v, std::vector<LocalSurface>& out) const {
-    static const double crease = std::cos(radians(least_crease_degrees));
-    if (std::abs(s.distance(points_[v])) > on_surface_distance(spacing_[v], roughness_)) return;
-    const Vec3 n = s.normal(points_[v]);
-    for (const LocalSurface& o : out)
-      if (dot(o.normal(points_[v]), n) >= crease) return;
-    out.push_back(s);
   }
 
   PatchGrower grower_;
@@ -104,7 +94,7 @@ Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
   Found found(points.size()), settled(points.size());
   parallel_chunks(points.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
-    const Senser senser(points, mesh, spacing, roughness);
+    Senser senser(points, mesh, spacing, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) senser.sense(static_cast<Index>(v), found[v]);
   });

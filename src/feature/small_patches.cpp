@@ -2,22 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "base/angle.h"
 #include "feature/patches.h"
 
 namespace arris {
 namespace {
-
-constexpr double degree_angle = std::numbers::pi / 180;
 
 // A vertex has six triangles round it, on average.
 constexpr std::size_t smallest_patch = 6;
 
 // The facet of a polyhedron is flat up to rounding; a single triangle is one if its edges turn by
 // what no well sampled surface does (creases.cpp: clear).
-constexpr double flat = 0.1 * degree_angle, sharp_all_round = 60 * degree_angle;
+constexpr double flat = radians(0.1), sharp_all_round = radians(60);
 
 // Next to a patch of this many triangles the mesh is no coarse polyhedron.
 constexpr std::size_t fine_patch = 64;

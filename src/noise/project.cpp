@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
@@ -18,7 +19,7 @@ constexpr double gate = 3;
 constexpr double farthest_move = 5;
 
 // Patches whose normals differ by less are one piece of surface.
-const double same_piece = std::cos(20 * 3.14159265358979 / 180);
+const double same_piece = std::cos(radians(20));
 
 // A further piece counts if its best patch has this share of the weight of the best of all.
 constexpr double least_weight = 0.1;

@@ -32,29 +32,15 @@ bool is_bridge(const TetMesh& mesh, Tet t, const TetBase& base, double h) {
          base.height < flat_height * h;
 }
 
-// The tetrahedron of `mesh` with these corners, or no_tet.
-Tet find_tet(const TetMesh& mesh, const Stars& stars, std::array<Index, 4> corners) {
-  std::sort(corners.begin(), corners.end());
-  if (corners[3] >= mesh.points.size()) return no_tet;
-  for (Tet t : stars[corners[0]]) {
-    std::array<Index, 4> other = mesh.vertices[t];
-    std::sort(other.begin(), other.end());
-    if (other == corners) return t;
-  }
-  return no_tet;
-}
-
-// The tetrahedra with a corner that `coarse` has not, and those beyond their facets.
-std::vector<std::uint8_t> near_added(const TetMesh& fine, std::size_t known, unsigned threads) {
-  const auto has_added = [&](Tet t) {
-    const auto& corners = fine.vertices[t];
-    return fine.is_finite(t) && *std::max_element(corners.begin(), corners.end()) >= known;
-  };
+// The tetrahedra that were not there before, and those beyond their facets.
+std::vector<std::uint8_t> round_new(const TetMesh& fine, const std::vector<Tet>& former,
+                                    unsigned threads) {
+  const auto is_new = [&](Tet t) { return fine.is_finite(t) && former[t] == no_tet; };
   std::vector<std::uint8_t> marked(fine.finite);
   parallel_for(fine.finite, threads, [&](std::size_t i) {
     const auto t = static_cast<Tet>(i);
-    const auto& round = fine.neighbours[t];
-    marked[t] = has_added(t) || std::any_of(round.begin(), round.end(), has_added);
+    const auto& beyond = fine.neighbours[t];
+    marked[t] = is_new(t) || std::any_of(beyond.begin(), beyond.end(), is_new);
   });
   return marked;
 }
@@ -91,9 +77,9 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
   return result;
 }
 
-Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labels,
-                   const Seeds& seeds, const TetMesh& fine, const std::vector<Index>& near,
-                   const std::vector<double>& spacing, Job& job) {
+Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
+                   const TetMesh& fine, const std::vector<Tet>& former,
+                   const std::vector<Index>& near, const std::vector<double>& spacing, Job& job) {
   job.tick(0);
   const std::vector<Tet> star = star_seeds(coarse);
   const std::vector<Circumball> balls = circumballs(fine, job.threads());
@@ -103,27 +89,30 @@ Seeds follow_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
   // What the points were added to correct must not vote against them.
-  result.hint = near_added(fine, coarse.points.size(), job.threads());
-  parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
-    const auto t = static_cast<Tet>(i);
+  result.hint = round_new(fine, former, job.threads());
+  const auto label_at = [&](Tet t) {
+    if (former[t] != no_tet) return labels[former[t]];
     const auto& corners = fine.vertices[t];
     const Index v = *std::min_element(corners.begin(), corners.end());
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
+    return labels[locate(coarse, centroid(fine, t), star[known])];
+  };
+  parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
     const double h = mean_spacing(fine, spacing, t);
     const TetBase base = largest_base(fine, t);
     if (base.height < sliver_height * h) {
       // One that was there before keeps its label for good. What holds the centroid of a new one is
       // chance: it may only break ties, or a stack of them would fold the surface over a face.
-      const Tet same = find_tet(coarse, stars, corners);
-      if (same != no_tet) {
-        result.label[t] = labels[same];
+      if (former[t] != no_tet) {
+        result.label[t] = labels[former[t]];
         result.firm[t] = 1;
         return;
       }
       result.hint[t] = 1;
     }
     const bool bridge = is_bridge(fine, t, base, h);
-    result.label[t] = bridge ? seed_free : labels[locate(coarse, centroid(fine, t), star[known])];
+    result.label[t] = bridge ? seed_free : label_at(t);
     result.firm[t] = !bridge && !result.hint[t] && balls[t].radius > firm_radius * h;
   });
   return result;

@@ -22,8 +22,11 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
+struct Number {
+  Tet tet = no_tet;
+};
 using CellBase =
-    CGAL::Triangulation_cell_base_with_info_3<Tet, Kernel,
+    CGAL::Triangulation_cell_base_with_info_3<Number, Kernel,
                                               CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Engine =
     CGAL::Delaunay_triangulation_3<Kernel,
@@ -65,10 +68,44 @@ void insert_all(Engine& engine, const std::vector<Vec3>& points, Job& job) {
   }
 }
 
+// The engine as it was when it gave `mesh`, its cells numbered as there. Returns the vertices.
+std::vector<Engine::Vertex_handle> load(const TetMesh& mesh, Engine& engine) {
+  auto& structure = engine.tds();
+  structure.clear();
+  structure.set_dimension(3);
+  engine.set_infinite_vertex(structure.create_vertex());
+  std::vector<Engine::Vertex_handle> vertices(mesh.points.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    vertices[v] = structure.create_vertex();
+    vertices[v]->set_point(to_engine(mesh.points[v]));
+    vertices[v]->info() = static_cast<Index>(v);
+  }
+  std::vector<Engine::Cell_handle> cells(mesh.size());
+  const auto vertex = [&](Index v) {
+    return v == infinite_vertex ? engine.infinite_vertex() : vertices[v];
+  };
+  for (std::size_t t = 0; t < cells.size(); ++t) {
+    const auto& v = mesh.vertices[t];
+    cells[t] = structure.create_cell(vertex(v[0]), vertex(v[1]), vertex(v[2]), vertex(v[3]));
+    cells[t]->info().tet = static_cast<Tet>(t);
+    for (Index w : v) vertex(w)->set_cell(cells[t]);
+  }
+  for (std::size_t t = 0; t < cells.size(); ++t) {
+    const auto& n = mesh.neighbours[t];
+    cells[t]->set_neighbors(cells[n[0]], cells[n[1]], cells[n[2]], cells[n[3]]);
+  }
+  return vertices;
+}
+
+struct Numbering {
+  std::vector<Engine::Cell_handle> cells;
+  std::vector<Tet> former;  // the numbers they had before
+  std::size_t finite = 0;
+};
+
 // Tetrahedra sorted by their lowest vertex, finite ones first: neighbours in space are neighbours
 // in memory, which every later pass profits from.
-std::vector<Engine::Cell_handle> number_cells(const Engine& engine, std::size_t points,
-                                              std::size_t& finite) {
+Numbering number_cells(const Engine& engine, std::size_t points) {
   const auto infinite = engine.infinite_vertex();
   const auto key = [&](Engine::Cell_handle c) {
     Index low = infinite_vertex;
@@ -84,14 +121,15 @@ std::vector<Engine::Cell_handle> number_cells(const Engine& engine, std::size_t 
   std::vector<std::uint32_t> start(2 * points + 1, 0);
   for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c) ++start[key(c) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  finite = start[points];
-  std::vector<Engine::Cell_handle> cells(start.back());
+  Numbering numbering{std::vector<Engine::Cell_handle>(start.back()),
+                      std::vector<Tet>(start.back()), start[points]};
   for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c) {
     const std::uint32_t index = start[key(c)]++;
-    cells[index] = c;
-    c->info() = index;
+    numbering.cells[index] = c;
+    numbering.former[index] = c->info().tet;
+    c->info().tet = index;
   }
-  return cells;
+  return numbering;
 }
 
 void copy_cells(const Engine& engine, const std::vector<Engine::Cell_handle>& cells,
@@ -104,9 +142,24 @@ void copy_cells(const Engine& engine, const std::vector<Engine::Cell_handle>& ce
       const auto v = cells[t]->vertex(i);
       const auto k = static_cast<std::size_t>(i);
       mesh.vertices[t][k] = v == infinite ? infinite_vertex : v->info();
-      mesh.neighbours[t][k] = cells[t]->neighbor(i)->info();
+      mesh.neighbours[t][k] = cells[t]->neighbor(i)->info().tet;
     }
   });
+}
+
+// The mesh of the engine over `points`, without its engine.
+Extension unload(const Engine& engine, std::vector<Vec3> points, std::size_t samples, Job& job) {
+  Numbering numbering = number_cells(engine, points.size());
+  if (numbering.cells.size() >= most_tets)
+    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
+                  "use fewer points, or split the cloud");
+  Extension result;
+  result.former = std::move(numbering.former);
+  result.mesh.points = std::move(points);
+  result.mesh.samples = samples;
+  result.mesh.finite = numbering.finite;
+  copy_cells(engine, numbering.cells, job.threads(), result.mesh);
+  return result;
 }
 
 }  // namespace
@@ -123,16 +176,24 @@ TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job) {
                       ", so they bound no volume",
                   "scan the object from more sides, or give a cloud that is not flat");
   }
-  TetMesh mesh;
-  mesh.samples = samples;
-  mesh.points = std::move(points);
-  const std::vector<Engine::Cell_handle> cells =
-      number_cells(engine, mesh.points.size(), mesh.finite);
-  if (cells.size() >= most_tets)
-    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
-                  "use fewer points, or split the cloud");
-  copy_cells(engine, cells, job.threads(), mesh);
-  return mesh;
+  return unload(engine, std::move(points), samples, job).mesh;
+}
+
+Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
+                     const std::vector<Index>& near, Job& job) {
+  constexpr std::size_t between_ticks = 4096;
+  Engine engine;
+  const std::vector<Engine::Vertex_handle> vertices = load(mesh, engine);
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    if (k % between_ticks == 0)
+      job.tick(static_cast<double>(k) / static_cast<double>(added.size()));
+    const Engine::Vertex_handle v = engine.insert(to_engine(added[k]), vertices[near[k]]->cell());
+    v->info() = static_cast<Index>(mesh.points.size() + k);
+  }
+  std::vector<Vec3> points = mesh.points;
+  points.insert(points.end(), added.begin(), added.end());
+  const std::size_t samples = points.size();
+  return unload(engine, std::move(points), samples, job);
 }
 
 }  // namespace arris

@@ -17,4 +17,18 @@ namespace arris {
 // Complexity: O(n log n) expected for points near a surface.
 TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job);
 
+// A mesh to which points were added, and per tetrahedron its number in the mesh before, or no_tet.
+struct Extension {
+  TetMesh mesh;
+  std::vector<Tet> former;
+};
+
+// The Delaunay tetrahedralization of the points of `mesh`, which delaunay() gave, and of `added`,
+// finite and distinct from those: as delaunay() of all of them, all samples, but for the order of
+// tetrahedra that share their lowest vertex. near[k]: a point of `mesh` beside added[k], from where
+// its place is sought. Throws Failure(cancelled).
+// Complexity: O(size of the mesh), with a small factor, and O(1) expected for each added point.
+Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
+                     const std::vector<Index>& near, Job& job);
+
 }  // namespace arris

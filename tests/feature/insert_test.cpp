@@ -73,7 +73,7 @@ std::vector<double> protect(const std::vector<Vec3>& points, const std::vector<d
   for (double x : marked) ends.push_back(on_ridge(x));
   for (double x : given) features.push_back(on_ridge(x));
   const FacetMesh none({}, points, 1);
-  protect_curves(points, none, ends, features, job);
+  protect_curves(points, NearestSample(points), none, ends, features, job);
   std::vector<double> all;
   for (const FeaturePoint& f : features) {
     EXPECT_LT(std::hypot(f.position.y, f.position.z), 1e-12);
@@ -146,7 +146,8 @@ TEST(Protect, GapsThatAreSidesAreLeftAlone) {
     };
     const std::vector<FeaturePoint> marked{{a, 1, false, 0, vertex(0), sides},
                                            {b, 1, false, 0, vertex(1), sides}};
-    protect_curves(shape.mesh.vertices, mesh, marked, features, job);
+    protect_curves(shape.mesh.vertices, NearestSample(shape.mesh.vertices), mesh, marked, features,
+                   job);
     EXPECT_EQ(features.size(), known ? 0u : 1u);
   }
 }

@@ -72,23 +72,23 @@ TEST(TransferSeeds, DoNotDependOnThreads) {
 TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
   for (const KnownSolid& solid : known_solids(600)) {
     const Carried c(solid);
-    std::vector<Vec3> points = solid.samples;
+    std::vector<Vec3> added;
     std::vector<double> spacing = c.coarse.spacing;
     std::vector<Index> near;
     for (Index v = 0; v + 1 < solid.samples.size(); v += 7) {
       const Tet t = c.coarse.stars[v][0];
       Vec3 middle;  // of an edge, which is near the surface or in its hull
       for (Index w : c.coarse.mesh.vertices[t])
-        if (w != v && w < points.size()) middle = 0.5 * (points[v] + points[w]);
-      points.push_back(middle);
+        if (w != v && w < solid.samples.size())
+          middle = 0.5 * (solid.samples[v] + solid.samples[w]);
+      added.push_back(middle);
       near.push_back(v);
       spacing.push_back(c.coarse.spacing[v]);
     }
     OneStageJob job;
-    const std::size_t n = points.size();
-    const TetMesh fine = delaunay(points, n, job);
+    const auto [fine, former] = add_points(c.coarse.mesh, added, near, job);
     const Seeds seeds =
-        follow_seeds(c.coarse.mesh, c.coarse.stars, c.labels, c.given, fine, near, spacing, job);
+        follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, near, spacing, job);
     EXPECT_EQ(seeds.confidence, c.given.confidence);
     ASSERT_EQ(seeds.label.size(), fine.finite);
     std::size_t deep = 0, wrong = 0;
@@ -110,27 +110,26 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
 // The labels where points were added, and one facet beyond, may be overruled.
 TEST(FollowSeeds, AreHintsAtAddedPoints) {
   const Carried c(known_solids(600)[0]);
-  const std::size_t samples = c.coarse.mesh.points.size();
-  std::vector<Vec3> points = c.coarse.mesh.points;
-  std::vector<double> spacing = c.coarse.spacing;
-  const Vec3 nearest = *std::min_element(points.begin() + 1, points.end(), [&](Vec3 a, Vec3 b) {
-    return distance(a, points[0]) < distance(b, points[0]);
+  const std::vector<Vec3>& samples = c.coarse.mesh.points;
+  const Vec3 nearest = *std::min_element(samples.begin() + 1, samples.end(), [&](Vec3 a, Vec3 b) {
+    return distance(a, samples[0]) < distance(b, samples[0]);
   });
-  points.push_back(0.5 * (points[0] + nearest));
+  std::vector<double> spacing = c.coarse.spacing;
   spacing.push_back(spacing[0]);
   OneStageJob job;
-  const TetMesh fine = delaunay(points, points.size(), job);
+  const auto [fine, former] = add_points(c.coarse.mesh, {0.5 * (samples[0] + nearest)}, {0}, job);
   const Seeds seeds =
-      follow_seeds(c.coarse.mesh, c.coarse.stars, c.labels, c.given, fine, {0}, spacing, job);
+      follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing, job);
+  const TetMesh& mesh = fine;  // a structured binding cannot be captured
   const auto is_new = [&](Tet t) {
-    return fine.is_finite(t) &&
-           std::count(fine.vertices[t].begin(), fine.vertices[t].end(), samples);
+    const auto& corners = mesh.vertices[t];
+    return mesh.is_finite(t) && std::count(corners.begin(), corners.end(), samples.size()) > 0;
   };
   std::size_t at = 0, beyond = 0, elsewhere = 0;
-  for (Tet t = 0; t < fine.finite; ++t) {
-    const auto& round = fine.neighbours[t];
+  for (Tet t = 0; t < mesh.finite; ++t) {
+    const auto& round = mesh.neighbours[t];
     const bool near = std::any_of(round.begin(), round.end(), is_new);
-    const bool flat = largest_base(fine, t).height < sliver_height * mean_spacing(fine, spacing, t);
+    const bool flat = largest_base(mesh, t).height < sliver_height * mean_spacing(mesh, spacing, t);
     (is_new(t) ? at : near ? beyond : elsewhere) += 1;
     EXPECT_FALSE(seeds.firm[t] && is_new(t));
     EXPECT_TRUE(flat || seeds.hint[t] == (is_new(t) || near));
