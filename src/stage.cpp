@@ -31,6 +31,12 @@ std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t p
   return wanted;
 }
 
+std::vector<std::vector<LocalSurface>> surfaces_of(const std::vector<FeaturePoint>& features) {
+  std::vector<std::vector<LocalSurface>> surfaces;
+  for (const FeaturePoint& p : features) surfaces.push_back(p.surfaces);
+  return surfaces;
+}
+
 // The sides at the samples as sensed, at the features as they were made.
 Sides sides_of(const std::vector<Vec3>& points, std::size_t samples, const Sensed& sensed,
                const std::vector<FeaturePoint>& features) {
@@ -104,7 +110,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   const FacetMesh facets(boundary_triangles(stage.mesh, labels), stage.mesh.points, job.threads());
   const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
                                        places_to_sense(facets, stage.mesh.points.size(), samples),
-                                       stage.roughness, job);
+                                       surfaces_of(features), stage.roughness, job);
   insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
                         job);
   if (features.size() == known) return next;
