@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "cut/facet_costs.h"
 #include "cut/manifold.h"
 #include "cut/specks.h"
@@ -30,6 +31,12 @@ std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t p
   return wanted;
 }
 
+std::vector<std::vector<LocalSurface>> surfaces_of(const std::vector<FeaturePoint>& features) {
+  std::vector<std::vector<LocalSurface>> surfaces;
+  for (const FeaturePoint& p : features) surfaces.push_back(p.surfaces);
+  return surfaces;
+}
+
 // The sides at the samples as sensed, at the features as they were made.
 Sides sides_of(const std::vector<Vec3>& points, std::size_t samples, const Sensed& sensed,
                const std::vector<FeaturePoint>& features) {
@@ -42,6 +49,34 @@ Sides sides_of(const std::vector<Vec3>& points, std::size_t samples, const Sense
     sides.first.push_back(static_cast<Index>(sides.normal.size()));
   }
   return sides;
+}
+
+// Tetrahedra of the extended mesh that were there before, more than a few rings from every new
+// point: the cut would give them the labels that they have. Measured: with two rings ...
+std::vector<std::uint8_t> far_from(const std::vector<Index>& near, const FacetMesh& facets,
+                                   const Extension& extension, unsigned threads) {
+  constexpr int rings = 3;
+  const TetMesh& mesh = extension.mesh;
+  std::vector<std::uint8_t> fresh(mesh.points.size(), 1);
+  std::fill(fresh.begin(), fresh.end() - static_cast<std::ptrdiff_t>(near.size()), 0);
+  for (Index v : near) fresh[v] = 1;
+  spread(facets, rings, fresh);
+  std::vector<std::uint8_t> far(mesh.size(), 0);
+  parallel_for(mesh.finite, threads, [&](std::size_t t) {
+    const auto& corners = mesh.vertices[t];
+    far[t] = extension.former[t] != no_tet &&
+             std::none_of(corners.begin(), corners.end(), [&](Index v) { return fresh[v]; });
+  });
+  return far;
+}
+
+// Of those, the ones that were settled before, too.
+std::vector<std::uint8_t> still_settled(const std::vector<std::uint8_t>& before,
+                                        const std::vector<Tet>& former,
+                                        std::vector<std::uint8_t> far) {
+  if (!before.empty())
+    for (std::size_t t = 0; t < far.size(); ++t) far[t] = far[t] && before[former[t]];
+  return far;
 }
 
 }  // namespace
@@ -60,6 +95,7 @@ SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature
 void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
   SwapOptions options;
   options.keep_samples = report.options.keep_samples;
+  options.settled = stage.settled;
   options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
   SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
   report.swap_energy = std::move(swaps.energy);
@@ -74,7 +110,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   const FacetMesh facets(boundary_triangles(stage.mesh, labels), stage.mesh.points, job.threads());
   const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
                                        places_to_sense(facets, stage.mesh.points.size(), samples),
-                                       stage.roughness, job);
+                                       surfaces_of(features), stage.roughness, job);
   insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
                         job);
   if (features.size() == known) return next;
@@ -89,11 +125,13 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
     next.model.spacing.push_back(features[k].spacing);
   }
   Extension extension = add_points(stage.mesh, added, near, job);
+  const std::vector<std::uint8_t> far = far_from(near, facets, extension, job.threads());
   next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);
   next.model.sides = sides_of(next.mesh.points, samples, sensed, features);
   next.seeds = follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, near,
-                            next.model.spacing, job);
+                            next.model.spacing, far, job);
+  next.settled = still_settled(stage.settled, extension.former, far);
   return next;
 }
 

@@ -22,6 +22,9 @@ struct Stage {
   Stars stars;
   Seeds seeds;
   EnergyModel model;
+  // Per tetrahedron: 1 where it lies far from every feature point and was swapped already; or
+  // empty.
+  std::vector<std::uint8_t> settled;
   double roughness = 0;  // by which samples lie off the surface, as a length
 };
 

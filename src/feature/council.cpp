@@ -10,16 +10,20 @@ namespace {
 
 constexpr int least_support = 3;
 
+bool is_same_side(const LocalSurface& s, Vec3 normal, Vec3 p) {
+  static const double crease = std::cos(radians(least_crease_degrees));
+  return dot(s.normal(p), normal) >= crease;
+}
+
 }  // namespace
 
 const Council::Agreement Council::tight = {on_surface, radians(2)};
 const Council::Agreement Council::loose = {0.05, radians(8)};
 
 void add_distinct(const LocalSurface& s, Vec3 p, std::vector<LocalSurface>& sides) {
-  static const double crease = std::cos(radians(least_crease_degrees));
   const Vec3 n = s.normal(p);
-  if (std::all_of(sides.begin(), sides.end(),
-                  [&](const LocalSurface& o) { return dot(o.normal(p), n) < crease; }))
+  if (std::none_of(sides.begin(), sides.end(),
+                   [&](const LocalSurface& o) { return is_same_side(o, n, p); }))
     sides.push_back(s);
 }
 
@@ -41,9 +45,20 @@ void Council::propose(Index v, const Agreement& agreement, bool own_only) {
     if (std::abs(s.distance(points_[v])) <= on)
       proposals_.push_back({&s, support(s, s.normal(points_[v]), far, cosine)});
   if (own_only) return;
+  const LocalSurface* agreed = agreed_by_all();
   for (const Voice& o : voices_)
-    if (std::abs(o.surface->distance(points_[v])) <= on)
+    if (std::abs(o.surface->distance(points_[v])) <= on &&
+        !(agreed && is_same_side(*agreed, o.normal, points_[v])))
       proposals_.push_back({o.surface, support(*o.surface, o.normal, far, cosine)});
+}
+
+// The first proposal, if none can have more support: others of that side need no count.
+const LocalSurface* Council::agreed_by_all() const {
+  if (proposals_.empty()) return nullptr;
+  int points = 0;
+  for (std::size_t k = 0; k < voices_.size(); ++k)
+    points += k == 0 || voices_[k].point != voices_[k - 1].point;
+  return proposals_[0].support == points ? proposals_[0].surface : nullptr;
 }
 
 // The points that have found a surface like s, which has that normal at v.

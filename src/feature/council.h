@@ -51,6 +51,7 @@ class Council {
   static const Agreement tight, loose;
   void listen(Index v, double far);
   void propose(Index v, const Agreement& agreement, bool own_only);
+  const LocalSurface* agreed_by_all() const;
   int support(const LocalSurface& s, Vec3 normal, double far, double cosine) const;
 
   const std::vector<Vec3>& points_;

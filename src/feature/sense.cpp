@@ -90,16 +90,20 @@ std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points) 
 
 Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
                       const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
-                      double roughness, Job& job) {
+                      const std::vector<std::vector<LocalSurface>>& known, double roughness,
+                      Job& job) {
   Found found(points.size()), settled(points.size());
-  parallel_chunks(points.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+  const std::size_t open = points.size() - known.size();
+  for (std::size_t v = open; v < points.size(); ++v)
+    if (wanted[v]) found[v] = settled[v] = known[v - open];
+  parallel_chunks(open, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
     Senser senser(points, mesh, spacing, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) senser.sense(static_cast<Index>(v), found[v]);
   });
   job.tick(0.7);
-  parallel_chunks(points.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+  parallel_chunks(open, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     Council council(points, mesh, spacing, found, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) council.settle(static_cast<Index>(v), settled[v]);

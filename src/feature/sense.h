@@ -26,11 +26,13 @@ struct Sensed {
 // The points near which the surface bends enough for a feature to be there: 1, others 0.
 std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points);
 
-// `spacing`: sample spacing h > 0 per point; `wanted`: 0 for points to leave out;
+// `spacing`: sample spacing h > 0 per point; `wanted`: 0 for points to leave out; `known`: the
+// surfaces at the last points, feature points, which keep them;
 // `roughness`: a length by which samples lie off the surface, 0 for clean ones. O(points), in
 // parallel; the result does not depend on the number of threads.
 Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
                       const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
-                      double roughness, Job& job);
+                      const std::vector<std::vector<LocalSurface>>& known, double roughness,
+                      Job& job);
 
 }  // namespace arris

@@ -15,6 +15,11 @@ Vec3 centroid(const TetMesh& mesh, Tet t) {
   return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
 }
 
+Circumball ball_of(const TetMesh& mesh, Tet t) {
+  const auto& v = mesh.vertices[t];
+  return circumball(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+}
+
 // A tetrahedron flatter than this and longer than a firm ball (in units of spacing) bridges
 // coplanar faces: what holds its centroid is chance, and a stack of them on a wrong side outvotes
 // the cut.
@@ -79,10 +84,10 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
 
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Tet>& former,
-                   const std::vector<Index>& near, const std::vector<double>& spacing, Job& job) {
+                   const std::vector<Index>& near, const std::vector<double>& spacing,
+                   const std::vector<std::uint8_t>& settled, Job& job) {
   job.tick(0);
   const std::vector<Tet> star = star_seeds(coarse);
-  const std::vector<Circumball> balls = circumballs(fine, job.threads());
   Seeds result;
   result.contradiction = seeds.contradiction;
   result.confidence = seeds.confidence;
@@ -100,20 +105,19 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
   parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
     const auto t = static_cast<Tet>(i);
     const double h = mean_spacing(fine, spacing, t);
-    const TetBase base = largest_base(fine, t);
-    if (base.height < sliver_height * h) {
-      // One that was there before keeps its label for good. What holds the centroid of a new one is
-      // chance: it may only break ties, or a stack of them would fold the surface over a face.
-      if (former[t] != no_tet) {
-        result.label[t] = labels[former[t]];
-        result.firm[t] = 1;
-        return;
-      }
-      result.hint[t] = 1;
+    const TetBase base = settled[t] ? TetBase{} : largest_base(fine, t);
+    const bool sliver = base.height < sliver_height * h;
+    // A sliver that was there before keeps its label for good. What holds the centroid of a new one
+    // is chance: it may only break ties, or a stack of them would fold the surface over a face.
+    if (settled[t] || (sliver && former[t] != no_tet)) {
+      result.label[t] = labels[former[t]];
+      result.firm[t] = 1;
+      return;
     }
+    result.hint[t] = sliver;
     const bool bridge = is_bridge(fine, t, base, h);
     result.label[t] = bridge ? seed_free : label_at(t);
-    result.firm[t] = !bridge && !result.hint[t] && balls[t].radius > firm_radius * h;
+    result.firm[t] = !bridge && !sliver && ball_of(fine, t).radius > firm_radius * h;
   });
   return result;
 }

@@ -23,6 +23,7 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
 // point one of `coarse` near it.
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Tet>& former,
-                   const std::vector<Index>& near, const std::vector<double>& spacing, Job& job);
+                   const std::vector<Index>& near, const std::vector<double>& spacing,
+                   const std::vector<std::uint8_t>& settled, Job& job);
 
 }  // namespace arris

@@ -22,7 +22,7 @@ class Descent {
 
   const Boundary& boundary() const noexcept { return boundary_; }
 
-  // What every finite tetrahedron is good for as the surface stands.
+  // What every finite tetrahedron that is not settled is good for as the surface stands.
   std::vector<Outlook> survey(unsigned threads);
 
   // Flips t if that is allowed and lowers E (paper, algorithm 1).
@@ -44,6 +44,7 @@ class Descent {
   bool may_move(Tet t) const noexcept {
     return boundary_.mesh().is_finite(t) && (options_.frozen.empty() || options_.frozen[t] == 0);
   }
+  bool is_due(Tet t) const noexcept { return options_.settled.empty() || options_.settled[t] == 0; }
   Outlook outlook(Tet t) const;
   // The sample that a simple flip of t takes off the surface, if those must stay; or no_index.
   Index lost_sample(Tet t) const noexcept;

@@ -16,6 +16,9 @@ struct SwapOptions {
   bool keep_samples = true;
   // Tetrahedra that must keep their label (1), or empty. Infinite ones always keep theirs.
   std::vector<std::uint8_t> frozen;
+  // Tetrahedra (1) for which moves were sought before: they wait until one is made beside them. Or
+  // empty.
+  std::vector<std::uint8_t> settled;
 };
 
 struct SwapResult {

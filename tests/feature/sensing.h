@@ -45,7 +45,7 @@ struct FirstSurface {
         facets(mesh.triangles, points, threads),
         spacing(Measured(points).spacing) {
     OneStageJob job(threads);
-    sensed = sense_surfaces(points, facets, spacing, near_bends(facets, points.size()), 0, job);
+    sensed = sense_surfaces(points, facets, spacing, near_bends(facets, points.size()), {}, 0, job);
   }
 };
 

@@ -87,8 +87,8 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
     }
     OneStageJob job;
     const auto [fine, former] = add_points(c.coarse.mesh, added, near, job);
-    const Seeds seeds =
-        follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, near, spacing, job);
+    const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, near, spacing,
+                                     std::vector<std::uint8_t>(fine.size(), 0), job);
     EXPECT_EQ(seeds.confidence, c.given.confidence);
     ASSERT_EQ(seeds.label.size(), fine.finite);
     std::size_t deep = 0, wrong = 0;
