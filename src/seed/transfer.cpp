@@ -114,10 +114,10 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
       result.firm[t] = 1;
       return;
     }
-    result.hint[t] = sliver;
+    if (sliver) result.hint[t] = 1;
     const bool bridge = is_bridge(fine, t, base, h);
     result.label[t] = bridge ? seed_free : label_at(t);
-    result.firm[t] = !bridge && !sliver && ball_of(fine, t).radius > firm_radius * h;
+    result.firm[t] = !bridge && !result.hint[t] && ball_of(fine, t).radius > firm_radius * h;
   });
   return result;
 }

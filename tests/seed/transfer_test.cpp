@@ -118,8 +118,8 @@ TEST(FollowSeeds, AreHintsAtAddedPoints) {
   spacing.push_back(spacing[0]);
   OneStageJob job;
   const auto [fine, former] = add_points(c.coarse.mesh, {0.5 * (samples[0] + nearest)}, {0}, job);
-  const Seeds seeds =
-      follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing, job);
+  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
+                                   std::vector<std::uint8_t>(fine.size(), 0), job);
   const TetMesh& mesh = fine;  // a structured binding cannot be captured
   const auto is_new = [&](Tet t) {
     const auto& corners = mesh.vertices[t];
