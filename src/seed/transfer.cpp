@@ -4,47 +4,10 @@
 #include <array>
 
 #include "base/parallel.h"
-#include "base/vec.h"
+#include "seed/shapes.h"
 #include "tetra/locate.h"
 
 namespace arris {
-namespace {
-
-Vec3 centroid(const TetMesh& mesh, Tet t) {
-  const auto& v = mesh.vertices[t];
-  return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
-}
-
-// A tetrahedron flatter than this and longer than a firm ball (in units of spacing) bridges
-// coplanar faces: what holds its centroid is chance, and a stack of them on a wrong side outvotes
-// the cut.
-constexpr double flat_height = 0.1;
-// With less of a facet (squares of spacing) it costs nothing on either side: slivers along edges.
-constexpr double bridge_area = 1;
-
-bool is_bridge(const TetMesh& mesh, Tet t, const TetBase& base, double h) {
-  double longest = 0;
-  for (const auto& [i, j] : edge_corners)
-    longest =
-        std::max(longest, distance(mesh.points[mesh.vertices[t][static_cast<std::size_t>(i)]],
-                                   mesh.points[mesh.vertices[t][static_cast<std::size_t>(j)]]));
-  return longest > 2 * firm_radius * h && base.twice_area > 2 * bridge_area * h * h &&
-         base.height < flat_height * h;
-}
-
-// The tetrahedron of `mesh` with these corners, or no_tet.
-Tet find_tet(const TetMesh& mesh, const Stars& stars, std::array<Index, 4> corners) {
-  std::sort(corners.begin(), corners.end());
-  if (corners[3] >= mesh.points.size()) return no_tet;
-  for (Tet t : stars[corners[0]]) {
-    std::array<Index, 4> other = mesh.vertices[t];
-    std::sort(other.begin(), other.end());
-    if (other == corners) return t;
-  }
-  return no_tet;
-}
-
-}  // namespace
 
 Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                      const TetMesh& fine, Job& job) {
