@@ -92,7 +92,6 @@ std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels,
     Report trial = report;
     SurfaceCut cut = cut_manifold(next, {}, trial, job);
     trial.cut_energy.push_back(cut.energy);
-    if (report.options.swap) run_swaps(next, cut.labels, trial, job);
     if (topology_of(next, cut.labels, job) == wanted) {
       stage = std::move(next);
       labels = std::move(cut.labels);

@@ -77,7 +77,7 @@ class Refiner {
                                !is_needle(edge.faces[0]) && !is_needle(edge.faces[1]));
   }
 
-  // Nothing if edge e is smooth and straight; on features always a point.
+  // Nothing if the surface cannot be told there; on features always a point.
   std::optional<Lift> lift(Index e) const {
     if (is_feature(e)) return lift_feature(e);
     const MeshEdge& edge = edges_.edges[e];
@@ -106,13 +106,13 @@ class Refiner {
     return (spacing_[a] + spacing_[b]) / 2;
   }
 
+  // False if no smooth arc rises as far.
   bool raise(Vec3 by, Index e, Lift& lift) const {
     const double sag = length(by);
-    if (sag < least_sag * mean_spacing(e) + 2 * roughness_ ||
-        sag > most_sag * edges_.edges[e].length)
-      return false;
+    if (sag > most_sag * edges_.edges[e].length) return false;
     lift.point.position = lift.point.foot + by;
-    return lift.wanted = true;
+    lift.wanted = sag >= least_sag * mean_spacing(e) + 2 * roughness_;
+    return true;
   }
 
   // The surfaces of both sides, to first order, and the plane across the edge meet in the point.
@@ -213,6 +213,19 @@ class Refiner {
 
 using Lifts = std::vector<std::optional<Lift>>;
 
+// Facets that are to be split at two sides are split at the third as well, so that the new vertices
+// lie as evenly as the old ones: on a cylinder the sides along it have no sag.
+void complete_facets(const MeshEdges& edges, Lifts& lifts) {
+  std::vector<Index> third;
+  for (const auto& sides : edges.of_face) {
+    const auto wanted = [&](Index e) { return lifts[e] && lifts[e]->wanted; };
+    if (std::count_if(sides.begin(), sides.end(), wanted) != 2) continue;
+    third.push_back(*std::find_if_not(sides.begin(), sides.end(), wanted));
+  }
+  for (Index e : third)
+    if (lifts[e]) lifts[e]->wanted = true;
+}
+
 // Halves the edges of features that new points of smooth surface enter the diametral ball of, and
 // takes back the points that enter the balls of the halves.
 void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& refiner,
@@ -220,7 +233,7 @@ void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& r
   std::vector<Vec3> smooth;
   std::vector<Index> edge_of;
   for (Index e = 0; e < lifts.size(); ++e)
-    if (lifts[e] && !refiner.is_feature(e)) {
+    if (lifts[e] && lifts[e]->wanted && !refiner.is_feature(e)) {
       smooth.push_back(lifts[e]->point.position);
       edge_of.push_back(e);
     }
@@ -255,6 +268,7 @@ std::vector<RefinePoint> refine_points(const Mesh& mesh, const std::vector<doubl
     for (std::size_t e = begin; e < end; ++e) lifts[e] = refiner.lift(static_cast<Index>(e));
   });
   job.tick(1);
+  complete_facets(edges, lifts);
   protect_features(mesh, edges, refiner, lifts);
   std::vector<RefinePoint> points;
   for (auto& lift : lifts)

@@ -44,7 +44,7 @@ class Labeller {
         spacing_(spacing),
         entry_(star_seeds(coarse)) {}
 
-  void label(Tet t, double radius, Seeds& seeds) const {
+  void label(Tet t, const Circumball& ball, Seeds& seeds) const {
     const auto& corners = fine_.vertices[t];
     if (const Tet same = find_tet(coarse_, stars_, corners); same != no_tet) {
       seeds.label[t] = labels_[same];
@@ -54,12 +54,12 @@ class Labeller {
     const double h = mean_spacing(fine_, spacing_, t);
     const TetBase base = largest_base(fine_, t);
     if (base.height < bulge_height * h && longest_edge(fine_, t) < bulge_length * h &&
-        label_in_bulge(t, seeds.label[t]))
+        label_in_bulge(t, ball, seeds.label[t]))
       return;
     const bool bridge = is_bridge(fine_, t, base, h);
     seeds.label[t] = bridge ? seed_free : label_below(corners);
     seeds.hint[t] = base.height < flat_height * h;
-    seeds.firm[t] = !bridge && !seeds.hint[t] && radius > firm_radius * h;
+    seeds.firm[t] = !bridge && !seeds.hint[t] && ball.radius > firm_radius * h;
   }
 
  private:
@@ -68,15 +68,15 @@ class Labeller {
   }
 
   // False if t has no lifted corner on one surface, or does not lie along it.
-  bool label_in_bulge(Tet t, Seed& label) const {
-    const Vec3 middle = centroid(fine_, t), base = base_normal(fine_, t);
+  bool label_in_bulge(Tet t, const Circumball& ball, Seed& label) const {
+    const Vec3 base = base_normal(fine_, t);
     double above = 0;
     bool found = false;
     for (Index v : fine_.vertices[t]) {
       const LiftedPoint* p = lifted(v);
       if (p == nullptr || p->normals.size() != 1) continue;
       if (std::abs(dot(base, p->normals[0])) <= along_surface) return false;
-      above += dot(p->normals[0], middle - fine_.points[v]);
+      above += dot(p->normals[0], ball.centre - fine_.points[v]);
       found = true;
     }
     if (found) label = above < 0 ? seed_inside : seed_outside;
@@ -118,9 +118,8 @@ Seeds lifted_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labe
   result.label.resize(fine.finite);
   result.firm.assign(fine.finite, 0);
   result.hint.assign(fine.finite, 0);
-  parallel_for(fine.finite, job.threads(), [&](std::size_t t) {
-    labeller.label(static_cast<Tet>(t), balls[t].radius, result);
-  });
+  parallel_for(fine.finite, job.threads(),
+               [&](std::size_t t) { labeller.label(static_cast<Tet>(t), balls[t], result); });
   return result;
 }
 
