@@ -54,8 +54,10 @@ class Labeller {
     const double h = mean_spacing(fine_, spacing_, t);
     const TetBase base = largest_base(fine_, t);
     if (base.height < bulge_height * h && longest_edge(fine_, t) < bulge_length * h &&
-        label_in_bulge(t, ball, seeds.label[t]))
+        label_in_bulge(t, ball, seeds.label[t])) {
+      seeds.firm[t] = ball.radius > firm_radius * h;
       return;
+    }
     const bool bridge = is_bridge(fine_, t, base, h);
     seeds.label[t] = bridge ? seed_free : label_below(corners);
     seeds.hint[t] = base.height < flat_height * h;
