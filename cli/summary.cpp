@@ -78,6 +78,7 @@ void print_details(const Report& report) {
   count("samples", report.samples);
   count("background points", report.background_points);
   count("feature points", report.feature_points);
+  count("refine points", report.refine_points);
   count("tetrahedra", report.tetrahedra);
   count("free tetrahedra", report.free_tetrahedra);
   count("samples on the surface", report.surface_samples);

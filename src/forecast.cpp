@@ -17,6 +17,8 @@ constexpr double bytes_per_background_point = 1200;
 // While features are added two tetrahedral meshes are held: 2160 bytes a point in all for 200k
 // points.
 constexpr double bytes_to_sharpen = 1200;
+// Points are added over up to three edges a sample, while both meshes are held.
+constexpr double bytes_to_refine = 3 * 1200;
 constexpr double bytes_fixed = 32e6;
 
 std::string in_gigabytes(double bytes) {
@@ -29,8 +31,9 @@ std::size_t forecast_memory(std::size_t points, const Options& options) {
   double background = options.background;
   if (!(background >= 0)) background = options.method == Method::paper ? 10 : 0;
   const bool sharpen = options.sharpen && options.method != Method::paper;
-  const double each =
-      bytes_per_sample + background * bytes_per_background_point + (sharpen ? bytes_to_sharpen : 0);
+  const bool refine = options.refine && options.method != Method::paper;
+  const double each = bytes_per_sample + background * bytes_per_background_point +
+                      (sharpen ? bytes_to_sharpen : 0) + (refine ? bytes_to_refine : 0);
   return static_cast<std::size_t>(bytes_fixed + static_cast<double>(points) * each);
 }
 

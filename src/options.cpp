@@ -44,6 +44,7 @@ Options resolve_options(Options options) {
   if (options.curvature == Curvature::by_method)
     options.curvature = paper ? Curvature::cotangent : Curvature::polyhedral;
   options.sharpen = options.sharpen && !paper;
+  options.refine = options.refine && !paper;
   if (options.outliers == Outliers::by_method)
     options.outliers = paper ? Outliers::keep : Outliers::drop;
   return options;

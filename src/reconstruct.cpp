@@ -18,6 +18,7 @@
 #include "noise/denoise.h"
 #include "options.h"
 #include "output.h"
+#include "refine_stage.h"
 #include "seed/seeds.h"
 #include "seed/transfer.h"
 #include "stage.h"
@@ -32,10 +33,11 @@ namespace {
 
 // Shares of the whole time, for the progress bar; measured at a million points.
 struct Shares {
-  double samples, outliers, noise, delaunay, seeds, background, cut, swap, features, check;
+  double samples, outliers, noise, delaunay, seeds, background, cut, swap, features, refine, check;
 };
-constexpr Shares automatic_shares = {0.01, 0.02, 0.04, 0.10, 0.04, 0, 0.03, 0.13, 0.40, 0.03};
-constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0.03};
+constexpr Shares automatic_shares = {0.01, 0.02, 0.04, 0.10, 0.04, 0, 0.03, 0.13, 0.40, 0, 0.03};
+constexpr Shares refine_shares = {0.01, 0.01, 0.02, 0.05, 0.02, 0, 0.02, 0.07, 0.20, 0.43, 0.03};
+constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0, 0.03};
 
 // The share of the noise that moving the samples leaves in them, measured on flat and curved
 // shapes.
@@ -168,7 +170,9 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   const Options options = report.options = resolve_options(given);
   require_attributes(cloud);
   require_memory(cloud.positions.size(), options, context);
-  const Shares& shares = options.background > 0 ? paper_shares : automatic_shares;
+  const Shares& shares = options.background > 0 ? paper_shares
+                         : options.refine       ? refine_shares
+                                                : automatic_shares;
 
   job.stage("samples", shares.samples);
   Samples samples = prepare_samples(cloud.positions, options.non_finite, job);
@@ -195,8 +199,12 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     sharpen(stage, samples, shares.features, labels, report, job);
     job.stage("swap again", shares.swap);
     if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);
-    stage.mesh.samples = samples.points.size();
   }
+  if (options.refine) {
+    job.stage("refine", shares.refine);
+    report.refine_points = refine_surface(samples, stage, labels, report, job);
+  }
+  stage.mesh.samples = samples.points.size();
 
   job.stage("check", shares.check);
   fill_counts(cloud, samples, stage.mesh, stage.model.spacing, stage.seeds, report);

@@ -50,6 +50,10 @@ struct Options {
   // Add points on edges and corners that no sample lies on. Off in the paper's method.
   bool sharpen = true;
 
+  // Add points on the smooth surface between the samples, where it is curved. Off with the paper's
+  // method.
+  bool refine = false;
+
   // Also return the interior tetrahedra.
   bool tetrahedra = false;
 

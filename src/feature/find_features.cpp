@@ -31,9 +31,7 @@ void require_sound(const Mesh& mesh) {
 
 }  // namespace
 
-FeatureNetwork feature_network(const Mesh& mesh, Job& job) {
-  const MeshEdges edges = collect_edges(mesh, job);
-  job.tick(0.4);
+Network crease_network(const Mesh& mesh, const MeshEdges& edges, Job& job) {
   const std::vector<Crease> creases = judge_edges(mesh, edges, job);
   job.tick(0.9);
   Network network(mesh, edges, connect_creases(mesh, edges, creases));
@@ -41,6 +39,13 @@ FeatureNetwork feature_network(const Mesh& mesh, Job& job) {
   prune_stubs(network);
   merge_small_patches(network);
   prune_stubs(network);
+  return network;
+}
+
+FeatureNetwork feature_network(const Mesh& mesh, Job& job) {
+  const MeshEdges edges = collect_edges(mesh, job);
+  job.tick(0.4);
+  const Network network = crease_network(mesh, edges, job);
   FeatureNetwork result;
   trace_curves(mesh, network, result);
   label_patches(network, result);

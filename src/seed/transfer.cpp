@@ -4,37 +4,15 @@
 #include <array>
 
 #include "base/parallel.h"
-#include "base/vec.h"
+#include "seed/shapes.h"
 #include "tetra/locate.h"
 
 namespace arris {
 namespace {
 
-Vec3 centroid(const TetMesh& mesh, Tet t) {
-  const auto& v = mesh.vertices[t];
-  return 0.25 * (mesh.points[v[0]] + mesh.points[v[1]] + mesh.points[v[2]] + mesh.points[v[3]]);
-}
-
 Circumball ball_of(const TetMesh& mesh, Tet t) {
   const auto& v = mesh.vertices[t];
   return circumball(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-}
-
-// A tetrahedron flatter than this and longer than a firm ball (in units of spacing) bridges
-// coplanar faces: what holds its centroid is chance, and a stack of them on a wrong side outvotes
-// the cut.
-constexpr double flat_height = 0.1;
-// With less of a facet (squares of spacing) it costs nothing on either side: slivers along edges.
-constexpr double bridge_area = 1;
-
-bool is_bridge(const TetMesh& mesh, Tet t, const TetBase& base, double h) {
-  double longest = 0;
-  for (const auto& [i, j] : edge_corners)
-    longest =
-        std::max(longest, distance(mesh.points[mesh.vertices[t][static_cast<std::size_t>(i)]],
-                                   mesh.points[mesh.vertices[t][static_cast<std::size_t>(j)]]));
-  return longest > 2 * firm_radius * h && base.twice_area > 2 * bridge_area * h * h &&
-         base.height < flat_height * h;
 }
 
 // The tetrahedra that were not there before, and those beyond their facets.

@@ -39,10 +39,11 @@ TEST(Talk, HelpNamesCommandsOptionsAndExitCodes) {
   EXPECT_EQ(place.arris("--help").out, all.out);
   const Outcome one = place.arris("help reconstruct");
   for (const char* part :
-       {"--output",          "--method",    "--lambda",  "--noise",        "--cycles",
-        "--background",      "--curvature", "--no-swap", "--free-samples", "--no-sharpen",
-        "--outliers",        "--tets",      "--report",  "--threads",      "--memory-limit",
-        "--drop-non-finite", "--features",  "--trim",    "--quiet",        "--verbose"})
+       {"--output",       "--method",          "--lambda",   "--noise",        "--cycles",
+        "--background",   "--curvature",       "--no-swap",  "--free-samples", "--no-sharpen",
+        "--refine",       "--outliers",        "--tets",     "--report",       "--threads",
+        "--memory-limit", "--drop-non-finite", "--features", "--trim",         "--quiet",
+        "--verbose"})
     EXPECT_TRUE(contains(one.out, part)) << part;
   EXPECT_EQ(place.arris("reconstruct --help").out, one.out);
 }

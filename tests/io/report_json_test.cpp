@@ -54,6 +54,7 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "samples",
                                                   "background_points",
                                                   "feature_points",
+                                                  "refine_points",
                                                   "tetrahedra",
                                                   "free_tetrahedra",
                                                   "surface_samples",
@@ -78,8 +79,8 @@ TEST(ReportJson, HoldsEveryFieldInOrder) {
                                                   "warnings"}));
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"method", "lambda", "cycles", "background", "curvature",
-                                      "swap", "keep_samples", "tetrahedra", "sharpen", "trim",
-                                      "non_finite", "outliers", "noise"}));
+                                      "swap", "keep_samples", "tetrahedra", "sharpen", "refine",
+                                      "trim", "non_finite", "outliers", "noise"}));
   EXPECT_EQ(keys(json["certificate"]), (std::vector<std::string>{"ok",
                                                                  "sound",
                                                                  "closed",

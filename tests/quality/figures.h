@@ -6,7 +6,7 @@
 
 namespace arris::test {
 
-enum class Sampling { feature, blue, uniform, noise, outliers };
+enum class Sampling { feature, blue, refined, uniform, noise, outliers };
 enum class Topology { wrong, right };
 
 inline constexpr double no_edges = -1;
@@ -39,7 +39,7 @@ inline constexpr double volume_part = 0.15, volume = 2e-4;
 // Polyhedra with sampled edges come back exactly or nearly so; any loss there is a fault. `blue`
 // and `uniform` leave edges unsampled: they guard the points put on them and, on narrow parts
 // (thin_plate, tangled_frames), the topology. Curved shapes guard the normals. noise: 0.25 % of the
-// diagonal; outliers: 2 %.
+// diagonal; outliers: 2 %; refined: blue, with Options::refine.
 inline constexpr QualityCase quality_cases[] = {
     {"cube", Sampling::feature, 3000, {0.000, 1.000, 0.00, 0.00000, Topology::right}},
     {"perforated_cube", Sampling::feature, 4000, {0.000, 1.000, 0.00, 0.00000, Topology::right}},
@@ -60,6 +60,8 @@ inline constexpr QualityCase quality_cases[] = {
     {"cylinder", Sampling::blue, 4000, {0.418, 0.957, 0.74, 0.00060, Topology::right}},
     {"torus", Sampling::blue, 4000, {2.079, -1.000, 2.86, 0.00445, Topology::right}},
     {"sphere", Sampling::blue, 3000, {2.290, -1.000, 1.80, 0.00237, Topology::right}},
+    {"cylinder", Sampling::refined, 4000, {0.246, 0.983, 0.67, 0.00036, Topology::right}},
+    {"torus", Sampling::refined, 4000, {0.628, -1.000, 1.94, 0.00132, Topology::right}},
     {"cube", Sampling::uniform, 4000, {0.132, 0.917, 0.20, 0.00023, Topology::right}},
     {"perforated_cube", Sampling::uniform, 8000, {0.100, 0.923, 0.19, 0.00028, Topology::right}},
     {"l_bracket", Sampling::uniform, 6000, {0.021, 0.967, 0.04, 0.00005, Topology::right}},

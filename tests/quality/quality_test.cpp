@@ -34,6 +34,8 @@ const char* name(Sampling sampling) {
       return "feature";
     case Sampling::blue:
       return "blue";
+    case Sampling::refined:
+      return "refined";
     case Sampling::uniform:
       return "uniform";
     case Sampling::noise:
@@ -86,7 +88,9 @@ TEST_P(Quality, IsAsGoodAsRecorded) {
   const Mesh truth = moved(make_shape(c.shape).mesh, seed);
   PointCloud cloud;
   cloud.positions = sample(truth, c.sampling, c.samples);
-  const auto result = reconstruct(cloud);
+  Options how;
+  how.refine = c.sampling == Sampling::refined;
+  const auto result = reconstruct(cloud, how);
   ASSERT_TRUE(result) << result.error().message;
   compare::CompareOptions options;
   options.samples = 30000;

@@ -1,0 +1,279 @@
+#include "feature/refine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <queue>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/vec.h"
+#include "cloud/nearest.h"
+#include "feature/find_features.h"
+#include "feature/jet.h"
+#include "feature/mesh_edges.h"
+
+namespace arris {
+namespace {
+
+constexpr double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+// The sag of an edge is the height of the surface over its middle.
+// Less of it, in units of spacing, is not worth a point: it halves no error that is seen.
+constexpr double least_sag = 0.002;
+// More of it, in lengths of the edge, no smooth arc has: a semicircle has half.
+constexpr double most_sag = 0.3;
+// A sag says nothing if the fit errs by as much. Twice the residual always counts, near features
+// nothing less does: a point off a plane there costs the edge. Elsewhere detail that the samples
+// only just resolve leaves residuals too, and its sags count if they are clear of rounding.
+constexpr double sure = 2;
+constexpr double likely = 0.3, clear_sag = 0.008;
+
+// Members of a fit: ten coefficients and as many again to judge them; within so many edge lengths,
+// on facets that lean less than this from those at the edge.
+constexpr std::size_t most_members = 24, least_members = 12;
+constexpr double reach = 3;
+const double least_cosine = std::cos(radians(60));
+
+// An edge that turns by more is taken for a feature, whether it is part of a line or not; but for
+// the edges of needles (height over longest side), which turn by chance.
+constexpr double largest_turning = radians(45);
+constexpr double needle_height = 0.15;
+// Least sine of the angle at which two surfaces meet in a line.
+constexpr double least_sine = 0.25;
+// New points looked at near an edge that must not be entered.
+constexpr std::size_t most_near = 8;
+constexpr std::size_t grain = 1024;
+
+bool contains(const std::vector<Index>& list, Index i) {
+  return std::find(list.begin(), list.end(), i) != list.end();
+}
+
+// What is over the middle of one edge.
+struct Lift {
+  RefinePoint point;
+  bool wanted = false;
+};
+
+class Refiner {
+ public:
+  Refiner(const Mesh& mesh, const std::vector<double>& spacing, double roughness,
+          const MeshEdges& edges, const Network& network)
+      : mesh_(mesh),
+        spacing_(spacing),
+        roughness_(roughness),
+        edges_(edges),
+        network_(network),
+        normals_(stable_normals(mesh, edges)) {}
+
+  bool is_feature(Index e) const {
+    const MeshEdge& edge = edges_.edges[e];
+    return network_.has(e) || (std::abs(edge.turning) > largest_turning &&
+                               !is_needle(edge.faces[0]) && !is_needle(edge.faces[1]));
+  }
+
+  // Nothing if the surface cannot be told there; on features always a point.
+  std::optional<Lift> lift(Index e) const {
+    if (is_feature(e)) return lift_feature(e);
+    const MeshEdge& edge = edges_.edges[e];
+    const auto side = sense(e, {edge.faces[0], edge.faces[1]});
+    if (!side) return std::nullopt;
+    Lift lift = at_middle(e);
+    lift.point.normals = {side->normal};
+    if (!raise(side->sag * side->normal, e, lift)) return std::nullopt;
+    return lift;
+  }
+
+ private:
+  struct Side {
+    double sag;
+    Vec3 normal;
+  };
+
+  Lift at_middle(Index e) const {
+    const auto [a, b] = edges_.edges[e].ends;
+    const Vec3 middle = 0.5 * (mesh_.vertices[a] + mesh_.vertices[b]);
+    return {{middle, middle, 0.5 * mean_spacing(e), a, {}}};
+  }
+
+  double mean_spacing(Index e) const {
+    const auto [a, b] = edges_.edges[e].ends;
+    return (spacing_[a] + spacing_[b]) / 2;
+  }
+
+  // False if no smooth arc rises as far.
+  bool raise(Vec3 by, Index e, Lift& lift) const {
+    const double sag = length(by);
+    if (sag > most_sag * edges_.edges[e].length) return false;
+    lift.point.position = lift.point.foot + by;
+    lift.wanted = sag >= least_sag * mean_spacing(e) + 2 * roughness_;
+    return true;
+  }
+
+  // The surfaces of both sides, to first order, and the plane across the edge meet in the point.
+  Lift lift_feature(Index e) const {
+    const MeshEdge& edge = edges_.edges[e];
+    Lift lift = at_middle(e);
+    lift.point.normals = {normals_[edge.faces[0]], normals_[edge.faces[1]]};
+    const auto a = sense(e, {edge.faces[0]}), b = sense(e, {edge.faces[1]});
+    if (!a || !b) return lift;
+    const Vec3 along = cross(a->normal, b->normal);
+    const double squared_sine = squared_length(along);
+    if (squared_sine < least_sine * least_sine) return lift;
+    lift.point.normals = {a->normal, b->normal};
+    raise(
+        (1 / squared_sine) * (a->sag * cross(b->normal, along) + b->sag * cross(along, a->normal)),
+        e, lift);
+    return lift;
+  }
+
+  // The surface that the facets `seeds` at edge e lie on: nothing if it cannot be told. Its sag is
+  // taken between its own heights at the ends, so that the point bears the same errors as they do.
+  std::optional<Side> sense(Index e, std::vector<Index> seeds) const {
+    const MeshEdge& edge = edges_.edges[e];
+    const Vec3 a = mesh_.vertices[edge.ends[0]], b = mesh_.vertices[edge.ends[1]];
+    const Vec3 middle = 0.5 * (a + b);
+    Vec3 n;
+    for (Index f : seeds) n = n + normals_[f];
+    if (!(squared_length(n) > 0)) return std::nullopt;
+    n = (1 / length(n)) * n;
+    const double unit = std::max(edge.length, mean_spacing(e));
+    const Members members = gather(std::move(seeds), middle, n, reach * unit);
+    if (members.points.size() < least_members) return std::nullopt;
+    const Jet jet = fit_jet(mesh_.vertices, members.points, middle, n, unit);
+    const double sag = jet.height(middle) - (jet.height(a) + jet.height(b)) / 2;
+    const bool clear = !members.at_feature && std::abs(sag) > clear_sag * unit;
+    if (std::abs(sag) < (clear ? likely : sure) * jet.residual) return Side{0, jet.normal()};
+    return Side{sag * dot(jet.normal(), n), jet.normal()};
+  }
+
+  struct Members {
+    std::vector<Index> points;
+    bool at_feature = false;  // the patch ends at one
+  };
+
+  // The points of the facets nearest to `middle`, from the seeds on and across no feature.
+  Members gather(std::vector<Index> seeds, Vec3 middle, Vec3 n, double radius) const {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
+    for (Index f : seeds) frontier.emplace(0, f);
+    std::vector<Index> seen = std::move(seeds);
+    Members members;
+    while (!frontier.empty() && members.points.size() < most_members) {
+      const Index f = frontier.top().second;
+      frontier.pop();
+      for (Index v : mesh_.triangles[f])
+        if (!contains(members.points, v) && distance(mesh_.vertices[v], middle) < radius)
+          members.points.push_back(v);
+      for (Index e : edges_.of_face[f]) {
+        if (is_feature(e)) {
+          members.at_feature = true;
+          continue;
+        }
+        const auto& faces = edges_.edges[e].faces;
+        const Index g = faces[0] == f ? faces[1] : faces[0];
+        if (contains(seen, g)) continue;
+        seen.push_back(g);
+        const double far = distance(centroid(g), middle);
+        if (far < radius && dot(normals_[g], n) >= least_cosine) frontier.emplace(far, g);
+      }
+    }
+    return members;
+  }
+
+  std::array<Vec3, 3> corners(Index f) const {
+    const Triangle& t = mesh_.triangles[f];
+    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+  }
+
+  Vec3 centroid(Index f) const {
+    const auto [a, b, c] = corners(f);
+    return 1.0 / 3 * (a + b + c);
+  }
+
+  bool is_needle(Index f) const {
+    const auto [a, b, c] = corners(f);
+    const double longest =
+        std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
+    return length(cross(b - a, c - a)) < needle_height * longest;
+  }
+
+  const Mesh& mesh_;
+  const std::vector<double>& spacing_;
+  double roughness_;
+  const MeshEdges& edges_;
+  const Network& network_;
+  std::vector<Vec3> normals_;
+};
+
+using Lifts = std::vector<std::optional<Lift>>;
+
+// Facets that are to be split at two sides are split at the third as well, so that the new vertices
+// lie as evenly as the old ones: on a cylinder the sides along it have no sag.
+void complete_facets(const MeshEdges& edges, Lifts& lifts) {
+  std::vector<Index> third;
+  for (const auto& sides : edges.of_face) {
+    const auto wanted = [&](Index e) { return lifts[e] && lifts[e]->wanted; };
+    if (std::count_if(sides.begin(), sides.end(), wanted) != 2) continue;
+    third.push_back(*std::find_if_not(sides.begin(), sides.end(), wanted));
+  }
+  for (Index e : third)
+    if (lifts[e]) lifts[e]->wanted = true;
+}
+
+// Halves the edges of features that new points of smooth surface enter the diametral ball of, and
+// takes back the points that enter the balls of the halves.
+void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& refiner,
+                      Lifts& lifts) {
+  std::vector<Vec3> smooth;
+  std::vector<Index> edge_of;
+  for (Index e = 0; e < lifts.size(); ++e)
+    if (lifts[e] && lifts[e]->wanted && !refiner.is_feature(e)) {
+      smooth.push_back(lifts[e]->point.position);
+      edge_of.push_back(e);
+    }
+  if (smooth.empty()) return;
+  const NearestSample nearest(smooth);
+  std::vector<NearestSample::Hit> hits;
+  for (Index e = 0; e < lifts.size(); ++e) {
+    if (!lifts[e] || !refiner.is_feature(e)) continue;
+    Lift& lift = *lifts[e];
+    const MeshEdge& edge = edges.edges[e];
+    lift.wanted = lift.wanted || nearest(lift.point.foot).distance < edge.length / 2;
+    if (!lift.wanted) continue;
+    for (Index end : edge.ends) {
+      const Vec3 a = lift.point.position, b = mesh.vertices[end];
+      nearest.nearest(0.5 * (a + b), most_near, hits);
+      for (const auto& hit : hits)
+        if (hit.distance < distance(a, b) / 2) lifts[edge_of[hit.index]].reset();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<RefinePoint> refine_points(const Mesh& mesh, const std::vector<double>& spacing,
+                                       double roughness, Job& job) {
+  const MeshEdges edges = collect_edges(mesh, job);
+  const Network network = crease_network(mesh, edges, job);
+  const Refiner refiner(mesh, spacing, roughness, edges, network);
+  Lifts lifts(edges.edges.size());
+  parallel_chunks(lifts.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
+    for (std::size_t e = begin; e < end; ++e) lifts[e] = refiner.lift(static_cast<Index>(e));
+  });
+  job.tick(1);
+  complete_facets(edges, lifts);
+  protect_features(mesh, edges, refiner, lifts);
+  std::vector<RefinePoint> points;
+  for (auto& lift : lifts)
+    if (lift && lift->wanted) points.push_back(std::move(lift->point));
+  return points;
+}
+
+}  // namespace arris

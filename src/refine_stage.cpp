@@ -1,0 +1,106 @@
+#include "refine_stage.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/vec.h"
+#include "cloud/nearest.h"
+#include "feature/refine.h"
+#include "seed/lifted.h"
+#include "surface/extract.h"
+#include "surface/mesh_topology.h"
+#include "tetra/delaunay.h"
+
+namespace arris {
+namespace {
+
+// Times that points are taken back. The second hardly finds any.
+constexpr int most_attempts = 3;
+// Points nearer than this to a vertex left out are taken back, in units of the spacing of the
+// samples.
+constexpr double withdrawal = 2;
+
+struct Topology {
+  std::size_t components;
+  std::int64_t euler;
+  bool operator==(const Topology&) const = default;
+};
+
+Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
+  const MeshTopology topology =
+      build_topology(stage.mesh.points.size(), boundary_triangles(stage.mesh, labels), job);
+  return {topology.components, topology.euler};
+}
+
+// Delaunay of the points of the stage and the added ones.
+Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& frame,
+                  const std::vector<RefinePoint>& added, Job& job) {
+  Stage next;
+  next.model = stage.model;
+  next.roughness = stage.roughness;
+  std::vector<Vec3> points = stage.mesh.points;
+  Sides& sides = next.model.sides;
+  if (sides.first.empty()) sides.first.assign(points.size() + 1, 0);
+  std::vector<LiftedPoint> lifted;
+  for (const RefinePoint& p : added) {
+    points.push_back(frame.to_local(frame.to_user(p.position)));
+    lifted.push_back({p.foot, p.near, p.normals});
+    next.model.spacing.push_back(p.spacing);
+    sides.normal.insert(sides.normal.end(), p.normals.begin(), p.normals.end());
+    sides.first.push_back(static_cast<Index>(sides.normal.size()));
+  }
+  const std::size_t all = points.size();
+  next.mesh = delaunay(std::move(points), all, job);
+  next.stars = Stars(next.mesh);
+  next.seeds = lifted_seeds(stage.mesh, stage.stars, labels, stage.seeds, next.mesh, lifted,
+                            next.model.spacing, job);
+  return next;
+}
+
+std::vector<std::uint8_t> on_surface(const Stage& stage, const Labels& labels) {
+  std::vector<std::uint8_t> on(stage.mesh.points.size(), 0);
+  for (const Triangle& t : boundary_triangles(stage.mesh, labels))
+    for (Index v : t) on[v] = 1;
+  return on;
+}
+
+// Takes back the added points near vertices that the new surface leaves out.
+void withdraw(const Stage& old, const Labels& old_labels, const Stage& next, const Labels& labels,
+              std::vector<RefinePoint>& added) {
+  const std::vector<std::uint8_t> was = on_surface(old, old_labels), is = on_surface(next, labels);
+  std::vector<Vec3> lost;
+  for (std::size_t v = 0; v < is.size(); ++v)
+    if (!is[v] && (v >= was.size() || was[v])) lost.push_back(next.mesh.points[v]);
+  if (lost.empty()) return added.clear();
+  const NearestSample nearest(lost);
+  std::erase_if(added, [&](const RefinePoint& p) {
+    return nearest(p.position).distance < withdrawal * 2 * p.spacing;
+  });
+}
+
+}  // namespace
+
+std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
+                           Job& job) {
+  Mesh mesh;
+  mesh.vertices = stage.mesh.points;
+  mesh.triangles = boundary_triangles(stage.mesh, labels);
+  std::vector<RefinePoint> added = refine_points(mesh, stage.model.spacing, stage.roughness, job);
+  const Topology wanted = topology_of(stage, labels, job);
+  for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
+    Stage next = with_points(stage, labels, samples.frame, added, job);
+    Report trial = report;
+    SurfaceCut cut = cut_manifold(next, {}, trial, job);
+    trial.cut_energy.push_back(cut.energy);
+    if (topology_of(next, cut.labels, job) == wanted) {
+      stage = std::move(next);
+      labels = std::move(cut.labels);
+      report = std::move(trial);
+      return added.size();
+    }
+    withdraw(stage, labels, next, cut.labels, added);
+  }
+  return 0;
+}
+
+}  // namespace arris
