@@ -1,7 +1,6 @@
 // arris reconstruct IN -o OUT
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -11,7 +10,6 @@
 #include "outputs.h"
 #include "run_options.h"
 #include "summary.h"
-#include "text.h"
 #include "values.h"
 
 namespace arris::cli {
@@ -95,28 +93,11 @@ int run(const Arguments& arguments) {
   return 0;
 }
 
-// An option whose values are the keys of `choices`, which must outlive the parse.
-template <class Value>
-void add_choice(CLI::App& app, const std::string& name, const std::map<std::string, Value>& choices,
-                Value& value, const char* description) {
-  std::string names;
-  for (const auto& [choice, unused] : choices) names += (names.empty() ? "" : "|") + choice;
-  const auto set = [name, names, &choices, &value](const std::string& text) {
-    const auto found = choices.find(text);
-    if (found == choices.end())
-      throw CLI::ValidationError(name, "must be one of " + names + ", not " + quoted(text));
-    value = found->second;
-  };
-  app.add_option_function<std::string>(name, set, description)->type_name(names);
-}
-
 void add_method_options(CLI::App& app, Options& options) {
-  static const std::map<std::string, Method> methods = {{"default", Method::automatic},
-                                                        {"paper", Method::paper}};
-  static const std::map<std::string, Curvature> curvatures = {
-      {"area", Curvature::area},
-      {"cotangent", Curvature::cotangent},
-      {"polyhedral", Curvature::polyhedral}};
+  const Choices<Method> methods = {{"default", Method::automatic}, {"paper", Method::paper}};
+  const Choices<Curvature> curvatures = {{"area", Curvature::area},
+                                         {"cotangent", Curvature::cotangent},
+                                         {"polyhedral", Curvature::polyhedral}};
   add_choice(app, "--method", methods, options.method,
              "How: the default, or the setting of the paper by Shi, Wan, Tai and Wang (2011)");
   app.add_option("--lambda", options.lambda,
@@ -129,7 +110,7 @@ void add_method_options(CLI::App& app, Options& options) {
       ->check(number_in(0, 1000, "a number from 0 to 1000"));
   add_choice(app, "--curvature", curvatures, options.curvature,
              "How the swaps measure curvature; area: minimal area instead, to compare with");
-  static const std::map<std::string, Outliers> outliers = {
+  const Choices<Outliers> outliers = {
       {"auto", Outliers::by_method}, {"drop", Outliers::drop}, {"keep", Outliers::keep}};
   add_choice(app, "--outliers", outliers, options.outliers,
              "Points that belong to no surface: dropped, but for --method paper");

@@ -1,9 +1,6 @@
 // arris sample MESH -n N -o CLOUD
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -29,25 +26,16 @@ struct Arguments {
   bool quiet = false;
 };
 
-const std::map<std::string, truth::Mode> modes = {{"uniform", truth::Mode::uniform},
-                                                  {"blue", truth::Mode::blue},
-                                                  {"feature", truth::Mode::feature},
-                                                  {"graded", truth::Mode::graded},
-                                                  {"scan", truth::Mode::scan}};
-
-// A number with a unit behind it, from 0 to `most` once the unit is off.
-std::optional<double> parse_number(std::string_view text, double most) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value >= 0 && value <= most ? std::optional(value) : std::nullopt;  // not NaN
+// A number from 0 to `most` with a unit of one character behind it, or none.
+std::optional<double> parse_up_to(double most, std::string_view text, bool unit) {
+  const auto value = parse_number(text.substr(0, text.size() - unit));
+  return value && *value >= 0 && *value <= most ? value : std::nullopt;  // not NaN
 }
 
 // "5%" or "0.05".
 double parse_share(const char* option, const std::string& text, double most, const char* range) {
   const bool percent = text.ends_with('%');
-  const auto value = parse_number(std::string_view(text).substr(0, text.size() - percent),
-                                  percent ? 100 * most : most);
+  const auto value = parse_up_to(percent ? 100 * most : most, text, percent);
   if (!value)
     throw CLI::ValidationError(option, "must be a share from 0 to " + std::string(range) +
                                            ", such as 5% or 0.05, not " + quoted(text));
@@ -62,7 +50,7 @@ void parse_noise(const std::string& text, truth::CloudOptions& cloud) {
     cloud.noise = parse_share("--noise", text, 1, "1 of the diagonal (or spacings, such as 0.2h)");
     return;
   }
-  const auto value = parse_number(std::string_view(text).substr(0, text.size() - 1), most_spacings);
+  const auto value = parse_up_to(most_spacings, text, true);
   if (!value)
     throw CLI::ValidationError("--noise",
                                "must be from 0h to 100h, such as 0.2h, not " + quoted(text));
@@ -123,32 +111,20 @@ int run(Arguments& arguments) {
   return 0;
 }
 
-void set_mode(const std::string& text, truth::Sampling& sampling) {
-  const auto found = modes.find(text);
-  if (found == modes.end())
-    throw CLI::ValidationError(
-        "--mode", "must be one of uniform|blue|feature|graded|scan, not " + quoted(text));
-  sampling.mode = found->second;
-}
-
-void set_noise_direction(const std::string& text, std::string& direction) {
-  if (text != "normal" && text != "ray" && text != "isotropic")
-    throw CLI::ValidationError("--noise-direction",
-                               "must be one of normal|ray|isotropic, not " + quoted(text));
-  direction = text;
-}
-
 void add_sampling_options(CLI::App& app, truth::Sampling& sampling) {
   app.add_option("-n,--samples", sampling.samples,
                  "Samples on the surface, before patches are taken out and outliers are added")
       ->required()
       ->check(whole_number_in(1, 20'000'000, "a whole number from 1 to 20000000"));
-  app.add_option_function<std::string>(
-         "--mode", [&sampling](const std::string& text) { set_mode(text, sampling); },
-         "uniform: independent by area; blue: evenly spread (the default); feature: corners, "
-         "sharp edges, then evenly spread; graded: ten times denser at one end; scan: range "
-         "images from all sides, with occlusion")
-      ->type_name("uniform|blue|feature|graded|scan");
+  const Choices<truth::Mode> modes = {{"uniform", truth::Mode::uniform},
+                                      {"blue", truth::Mode::blue},
+                                      {"feature", truth::Mode::feature},
+                                      {"graded", truth::Mode::graded},
+                                      {"scan", truth::Mode::scan}};
+  add_choice(app, "--mode", modes, sampling.mode,
+             "uniform: independent by area; blue: evenly spread (the default); feature: corners, "
+             "sharp edges, then evenly spread; graded: ten times denser at one end; scan: range "
+             "images from all sides, with occlusion");
   app.add_option("--seed", sampling.seed, "Another cloud of the same kind (1)")
       ->check(whole_number_in(0, 1'000'000'000'000, "a whole number from 0 to 1000000000000"));
   app.add_option("--edge-angle", sampling.edge_angle,
@@ -164,14 +140,11 @@ void add_spoiling_options(CLI::App& app, Arguments& arguments) {
          "--noise", [&cloud](const std::string& text) { parse_noise(text, cloud); },
          "Standard deviation: a share of the diagonal, such as 0.25%, or of the spacing: 0.2h")
       ->type_name("share");
-  app.add_option_function<std::string>(
-         "--noise-direction",
-         [&arguments](const std::string& text) {
-           set_noise_direction(text, arguments.noise_direction);
-         },
-         "Along the normal (the default), along the ray (the default of a scan), or the same in "
-         "every coordinate")
-      ->type_name("normal|ray|isotropic");
+  const Choices<std::string> directions = {
+      {"normal", "normal"}, {"ray", "ray"}, {"isotropic", "isotropic"}};
+  add_choice(app, "--noise-direction", directions, arguments.noise_direction,
+             "Along the normal (the default), along the ray (the default of a scan), or the same "
+             "in every coordinate");
   app.add_option_function<std::string>(
          "--outliers",
          [&cloud](const std::string& text) {

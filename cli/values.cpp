@@ -3,9 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
-
-#include "text.h"
 
 namespace arris::cli {
 namespace {
@@ -24,10 +21,14 @@ std::string must_be(const std::string& what, const std::string& text) {
 
 }  // namespace
 
+std::optional<double> parse_number(std::string_view text) {
+  return parse<double>(text);
+}
+
 CLI::Validator number_in(double low, double high, const char* description) {
   const std::string what = description;
   const auto check = [low, high, what](const std::string& text) -> std::string {
-    const std::optional<double> value = parse<double>(text);
+    const std::optional<double> value = parse_number(text);
     // Written so that NaN fails.
     const bool good = value && std::isfinite(*value) && *value >= low && *value <= high;
     return good ? std::string() : must_be(what, text);
@@ -54,7 +55,7 @@ CLI::Validator not_empty() {
 std::size_t parse_bytes(const std::string& text) {
   const std::string error = must_be("a size such as 4G, 512M or 1000000", text);
   const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
-  const std::optional<double> number = parse<double>(std::string_view(text).substr(0, digits));
+  const std::optional<double> number = parse_number(std::string_view(text).substr(0, digits));
   std::string unit;
   for (const char c : text.substr(digits))
     if (c != ' ') unit += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -26,12 +26,6 @@ void set_size(const std::string& text, viewer::View& view) {
   view.height = std::stoi(height);
 }
 
-void set_up(const std::string& text, viewer::View& view) {
-  if (text != "x" && text != "y" && text != "z")
-    throw CLI::ValidationError("--up", "must be one of x|y|z, not " + quoted(text));
-  view.up = text == "x" ? viewer::Up::x : text == "y" ? viewer::Up::y : viewer::Up::z;
-}
-
 }  // namespace
 
 void add_camera_options(CLI::App& app, viewer::View& view) {
@@ -39,10 +33,9 @@ void add_camera_options(CLI::App& app, viewer::View& view) {
          "--size", [&view](const std::string& text) { set_size(text, view); },
          "Pixels of the picture of each file (640x480)")
       ->type_name("WxH");
-  app.add_option_function<std::string>(
-         "--up", [&view](const std::string& text) { set_up(text, view); },
-         "The axis that points up (z)")
-      ->type_name("x|y|z");
+  const Choices<viewer::Up> axes = {
+      {"x", viewer::Up::x}, {"y", viewer::Up::y}, {"z", viewer::Up::z}};
+  add_choice(app, "--up", axes, view.up, "The axis that points up (z)");
   app.add_option("--azimuth", view.azimuth,
                  "Degrees round the model: larger looks from further to the right (30)")
       ->check(number_in(-360, 360, "a number from -360 to 360"));

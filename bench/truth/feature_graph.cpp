@@ -1,8 +1,6 @@
 #include "truth/feature_graph.h"
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "base/vec.h"
 #include "truth/measure.h"
@@ -10,34 +8,13 @@
 namespace arris::truth {
 namespace {
 
-// One side of an edge.
-struct Side {
-  Index a, b;  // a < b
-  bool forward;
-  Index triangle;
-};
-
-std::vector<Side> sorted_sides(const Mesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index from = mesh.triangles[t][i], to = mesh.triangles[t][(i + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), from < to, static_cast<Index>(t)});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
-    return std::tie(l.a, l.b, l.triangle) < std::tie(r.a, r.b, r.triangle);
-  });
-  return sides;
-}
-
 Vec3 unit(Vec3 v) {
   const double l = length(v);
   return l > 0 ? (1 / l) * v : v;
 }
 
 // The angle by which the surface turns from one side of an edge to the other, in [0, pi].
-double turn_between(const Mesh& mesh, const Side& l, const Side& r) {
+double turn_between(const Mesh& mesh, const HalfEdge& l, const HalfEdge& r) {
   const Vec3 m = normal(mesh, l.triangle), n = normal(mesh, r.triangle);
   const double same = l.forward != r.forward ? 1 : -1;  // triangles may be walked inconsistently
   return std::atan2(length(cross(m, n)), same * dot(m, n));
@@ -56,7 +33,7 @@ bool is_corner(const Mesh& mesh, const FeatureGraph& g, Index v, double angle) {
 FeatureGraph feature_graph(const Mesh& mesh, double angle) {
   FeatureGraph g;
   g.at.resize(mesh.vertices.size());
-  const std::vector<Side> sides = sorted_sides(mesh);
+  const std::vector<HalfEdge> sides = sorted_half_edges(mesh);
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     const Index a = sides[i].a, b = sides[i].b;
     Vec3 sum;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "base/vec.h"
@@ -35,11 +36,16 @@ Chain walk_chain(const Mesh& mesh, const FeatureGraph& g, Index start, std::size
   }
 }
 
+// More parts than memory has room for come of needles, whose edges are long for their area.
+constexpr double most_parts = 1e8;
+
 // The inner points that divide the chain into equal parts no longer than `spacing`.
 void divide(const Chain& chain, double spacing, Samples& samples) {
   const std::vector<Vec3>& p = chain.points;
   double total = 0;
   for (std::size_t i = 1; i < p.size(); ++i) total += distance(p[i - 1], p[i]);
+  if (!(total / spacing < most_parts))
+    throw std::invalid_argument("the sharp edges are too long for the area of the mesh");
   const auto parts = static_cast<std::size_t>(std::ceil(total / spacing));
   const double step = total / static_cast<double>(parts);
   double before = 0;  // length up to point i - 1

@@ -13,11 +13,21 @@
 namespace arris::truth {
 namespace {
 
-struct HalfEdge {
-  Index a, b;  // a < b
-  bool forward;
-  Index triangle;
-};
+// The corners of the triangles round one vertex must chain into a single cycle.
+bool is_one_fan(std::vector<std::pair<Index, Index>> links) {
+  std::sort(links.begin(), links.end());
+  const Index start = links.front().first;
+  Index at = start;
+  for (std::size_t step = 1; step <= links.size(); ++step) {
+    const auto next = std::lower_bound(links.begin(), links.end(), std::pair{at, Index{0}});
+    if (next == links.end() || next->first != at) return false;
+    at = next->second;
+    if (at == start) return step == links.size();
+  }
+  return false;
+}
+
+}  // namespace
 
 std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
   std::vector<HalfEdge> result;
@@ -35,22 +45,6 @@ std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
   });
   return result;
 }
-
-// The corners of the triangles round one vertex must chain into a single cycle.
-bool is_one_fan(std::vector<std::pair<Index, Index>> links) {
-  std::sort(links.begin(), links.end());
-  const Index start = links.front().first;
-  Index at = start;
-  for (std::size_t step = 1; step <= links.size(); ++step) {
-    const auto next = std::lower_bound(links.begin(), links.end(), std::pair{at, Index{0}});
-    if (next == links.end() || next->first != at) return false;
-    at = next->second;
-    if (at == start) return step == links.size();
-  }
-  return false;
-}
-
-}  // namespace
 
 double Bounds::diagonal() const {
   return distance(low, high);

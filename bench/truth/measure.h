@@ -17,6 +17,16 @@ struct Bounds {
 };
 Bounds bounds_of(const std::vector<Vec3>& points);  // must not be empty
 
+// One side of an edge of any mesh.
+struct HalfEdge {
+  Index a = no_index, b = no_index;  // a < b
+  bool forward = true;               // whether the triangle walks it from a to b
+  Index triangle = no_index;
+};
+
+// Sorted by (a, b), forward ones first, then by triangle. O(n log n).
+std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh);
+
 // An edge of a closed, oriented mesh: triangle `left` walks it from a to b, `right` from b to a.
 struct Edge {
   Index a = no_index, b = no_index;  // a < b

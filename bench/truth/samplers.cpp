@@ -17,14 +17,18 @@ namespace {
 constexpr std::size_t candidates_per_sample = 5;  // Yuksel's choice
 constexpr double grading = 10;                    // densest to thinnest
 
+void require_area(double area) {
+  if (!(area > 0 && std::isfinite(area)))
+    throw std::invalid_argument("the area of the mesh is zero or out of range");
+}
+
 // Draws points uniformly by area.
 class AreaSampler {
  public:
   explicit AreaSampler(const Mesh& mesh) : mesh_(mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       sums_.push_back(sum_ += length(normal(mesh, static_cast<Index>(t))));
-    if (!(sum_ > 0 && std::isfinite(sum_)))
-      throw std::invalid_argument("the area of the mesh is zero or out of range");
+    require_area(sum_);
   }
 
   void draw(Random& random, Samples& samples) const {
@@ -121,7 +125,9 @@ Samples sample(const Mesh& mesh, const Sampling& sampling) {
     case Mode::blue:
       return fill_with_blue({}, mesh, sampling);
     case Mode::feature: {
-      const double spacing = ideal_spacing(area(mesh), sampling.samples);
+      const double all = area(mesh);
+      require_area(all);
+      const double spacing = ideal_spacing(all, sampling.samples);
       return fill_with_blue(feature_samples(mesh, spacing, sampling.edge_angle), mesh, sampling);
     }
     case Mode::graded:

@@ -37,6 +37,19 @@ bool is_bridge(const TetMesh& mesh, Tet t, const TetBase& base, double h) {
          base.height < flat_height * h;
 }
 
+// The tetrahedra that were not there before, and those beyond their facets.
+std::vector<std::uint8_t> round_new(const TetMesh& fine, const std::vector<Tet>& former,
+                                    unsigned threads) {
+  const auto is_new = [&](Tet t) { return fine.is_finite(t) && former[t] == no_tet; };
+  std::vector<std::uint8_t> marked(fine.finite);
+  parallel_for(fine.finite, threads, [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
+    const auto& beyond = fine.neighbours[t];
+    marked[t] = is_new(t) || std::any_of(beyond.begin(), beyond.end(), is_new);
+  });
+  return marked;
+}
+
 }  // namespace
 
 Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
@@ -80,7 +93,8 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
   result.confidence = seeds.confidence;
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
-  result.hint.assign(fine.finite, 0);
+  // What the points were added to correct must not vote against them.
+  result.hint = round_new(fine, former, job.threads());
   const auto label_at = [&](Tet t) {
     if (former[t] != no_tet) return labels[former[t]];
     const auto& corners = fine.vertices[t];
@@ -100,10 +114,10 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
       result.firm[t] = 1;
       return;
     }
-    result.hint[t] = sliver;
+    if (sliver) result.hint[t] = 1;
     const bool bridge = is_bridge(fine, t, base, h);
     result.label[t] = bridge ? seed_free : label_at(t);
-    result.firm[t] = !bridge && !sliver && ball_of(fine, t).radius > firm_radius * h;
+    result.firm[t] = !bridge && !result.hint[t] && ball_of(fine, t).radius > firm_radius * h;
   });
   return result;
 }

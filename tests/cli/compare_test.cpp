@@ -1,10 +1,9 @@
 // arris compare: what it prints, writes and refuses. The figures are tested in tests/compare.
 #include <gtest/gtest.h>
 
-#include <ostream>
 #include <string>
 
-#include "cli/workplace.h"
+#include "cli/refusal.h"
 
 namespace arris::test {
 namespace {
@@ -85,18 +84,7 @@ TEST(CompareCommand, DrawsBothMeshesAndALegend) {
 }
 #endif
 
-struct Row {
-  const char* name;
-  const char* arguments;
-  int exit_code;
-  const char* message;
-};
-
-void PrintTo(const Row& row, std::ostream* out) {
-  *out << row.name;
-}
-
-const Row rows[] = {
+const Refusal rows[] = {
     {"NoFiles", "", 2, "result is required"},
     {"NoTruth", "m.off", 2, "truth is required"},
     {"NoSuchFile", "m.off none.off", 3, "..."},
@@ -116,7 +104,7 @@ const Row rows[] = {
     {"Memory", "m.off m.off --memory-limit 1M", 9, "..."},
 };
 
-class BadCompare : public testing::TestWithParam<Row> {};
+class BadCompare : public testing::TestWithParam<Refusal> {};
 
 TEST_P(BadCompare, IsRefused) {
   const Workplace place;
@@ -125,18 +113,10 @@ TEST_P(BadCompare, IsRefused) {
   place.write("p.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 1\n");
   place.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   place.write("nan.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n2 0 0\n3 0 1 2\n");
-  const auto before = place.entries();
-  const Outcome outcome = place.arris(std::string("compare --quiet ") + GetParam().arguments);
-  EXPECT_EQ(outcome.exit_code, GetParam().exit_code) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  const PrintedError error = printed_error(outcome.err);
-  EXPECT_TRUE(matches(error.message, GetParam().message)) << outcome.err;
-  EXPECT_NE(error.remedy, "") << outcome.err;
-  EXPECT_EQ(place.entries(), before);
+  expect_refused(place, "compare --quiet", GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, BadCompare, testing::ValuesIn(rows),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Table, BadCompare, testing::ValuesIn(rows), name_of);
 
 }  // namespace
 }  // namespace arris::test

@@ -1,10 +1,9 @@
 // arris render: what it accepts, refuses and writes. What pictures show is tested in tests/viewer.
 #include <gtest/gtest.h>
 
-#include <ostream>
 #include <string>
 
-#include "cli/workplace.h"
+#include "cli/refusal.h"
 
 namespace arris::test {
 namespace {
@@ -48,18 +47,7 @@ TEST(RenderCommand, PointsWithoutFacesAreDrawnWithAWarning) {
   EXPECT_EQ(png_size(place.read("p.png")), "32x32");
 }
 
-struct Row {
-  const char* name;
-  const char* arguments;
-  int exit_code;
-  const char* message;
-};
-
-void PrintTo(const Row& row, std::ostream* out) {
-  *out << row.name;
-}
-
-const Row rows[] = {
+const Refusal rows[] = {
     {"NoFile", "-o p.png", 2, "files is required"},
     {"NoOutput", "m.off", 2, "--output is required"},
     {"NoPicture", "m.off -o p.jpg", 4, "..."},
@@ -72,22 +60,16 @@ const Row rows[] = {
     {"OverItself", "m.png -o m.png", 2, "'m.png': the picture would overwrite the input"},
 };
 
-class BadRender : public testing::TestWithParam<Row> {};
+class BadRender : public testing::TestWithParam<Refusal> {};
 
 TEST_P(BadRender, IsRefused) {
   const Workplace place;
   place.write("m.off", tetrahedron);
   place.write("m.png", "not looked at");
-  const Outcome outcome = place.arris(std::string("render --quiet ") + GetParam().arguments);
-  EXPECT_EQ(outcome.exit_code, GetParam().exit_code) << outcome.err;
-  const PrintedError error = printed_error(outcome.err);
-  EXPECT_TRUE(matches(error.message, GetParam().message)) << outcome.err;
-  EXPECT_NE(error.remedy, "") << outcome.err;
-  EXPECT_EQ(place.entries(), (std::set<std::string>{"m.off", "m.png"}));
+  expect_refused(place, "render --quiet", GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, BadRender, testing::ValuesIn(rows),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Table, BadRender, testing::ValuesIn(rows), name_of);
 
 }  // namespace
 }  // namespace arris::test

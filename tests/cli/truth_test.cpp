@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <ostream>
 #include <string>
 
-#include "cli/workplace.h"
+#include "cli/refusal.h"
 
 namespace arris::test {
 namespace {
@@ -84,18 +83,7 @@ TEST(SampleCommand, CloudsComeBackAsTheModel) {
   EXPECT_NE(outcome.out.find("\"euler\": -8"), std::string::npos) << outcome.out;
 }
 
-struct Row {
-  const char* name;
-  const char* arguments;
-  int exit_code;
-  const char* message;
-};
-
-void PrintTo(const Row& row, std::ostream* out) {
-  *out << row.name;
-}
-
-const Row rows[] = {
+const Refusal rows[] = {
     {"ModelWithoutName", "model -o out.ply", 2, "name is required"},
     {"ModelWithoutOutput", "model cube", 2, "--output is required"},
     {"ModelUnknown", "model teapot -o out.ply", 2, "there is no model 'teapot'"},
@@ -143,7 +131,7 @@ const Row rows[] = {
      "there is nothing to sample: the missing patches leave no samples"},
 };
 
-class BadTruth : public testing::TestWithParam<Row> {};
+class BadTruth : public testing::TestWithParam<Refusal> {};
 
 TEST_P(BadTruth, IsRefused) {
   const Workplace place;
@@ -151,18 +139,10 @@ TEST_P(BadTruth, IsRefused) {
               "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   place.write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   place.write("p.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n");
-  const auto before = place.entries();
-  const Outcome outcome = place.arris(GetParam().arguments);
-  EXPECT_EQ(outcome.exit_code, GetParam().exit_code) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  const PrintedError error = printed_error(outcome.err);
-  EXPECT_TRUE(matches(error.message, GetParam().message)) << outcome.err;
-  EXPECT_NE(error.remedy, "") << outcome.err;
-  EXPECT_EQ(place.entries(), before);
+  expect_refused(place, "", GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, BadTruth, testing::ValuesIn(rows),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(Table, BadTruth, testing::ValuesIn(rows), name_of);
 
 }  // namespace
 }  // namespace arris::test

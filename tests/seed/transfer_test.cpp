@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/known_solids.h"
 #include "tetra/background.h"
 
@@ -124,6 +126,38 @@ TEST(FollowSeeds, SettledTetrahedraAreFirm) {
     EXPECT_EQ(seeds.label[t], c.labels[former[t]]);
   }
   EXPECT_GT(soft, 100u);
+}
+
+// The labels where points were added, and one facet beyond, may be overruled.
+TEST(FollowSeeds, AreHintsAtAddedPoints) {
+  const Carried c(known_solids(600)[0]);
+  const std::vector<Vec3>& samples = c.coarse.mesh.points;
+  const Vec3 nearest = *std::min_element(samples.begin() + 1, samples.end(), [&](Vec3 a, Vec3 b) {
+    return distance(a, samples[0]) < distance(b, samples[0]);
+  });
+  std::vector<double> spacing = c.coarse.spacing;
+  spacing.push_back(spacing[0]);
+  OneStageJob job;
+  const auto [fine, former] = add_points(c.coarse.mesh, {0.5 * (samples[0] + nearest)}, {0}, job);
+  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
+                                   std::vector<std::uint8_t>(fine.size(), 0), job);
+  const TetMesh& mesh = fine;  // a structured binding cannot be captured
+  const auto is_new = [&](Tet t) {
+    const auto& corners = mesh.vertices[t];
+    return mesh.is_finite(t) && std::count(corners.begin(), corners.end(), samples.size()) > 0;
+  };
+  std::size_t at = 0, beyond = 0, elsewhere = 0;
+  for (Tet t = 0; t < mesh.finite; ++t) {
+    const auto& round = mesh.neighbours[t];
+    const bool near = std::any_of(round.begin(), round.end(), is_new);
+    const bool flat = largest_base(mesh, t).height < sliver_height * mean_spacing(mesh, spacing, t);
+    (is_new(t) ? at : near ? beyond : elsewhere) += 1;
+    EXPECT_FALSE(seeds.firm[t] && is_new(t));
+    EXPECT_TRUE(flat || seeds.hint[t] == (is_new(t) || near));
+  }
+  EXPECT_GT(at, 4u);
+  EXPECT_GT(beyond, 4u);
+  EXPECT_GT(elsewhere, 100u);
 }
 
 }  // namespace

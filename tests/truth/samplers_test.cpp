@@ -184,6 +184,10 @@ TEST(Samplers, RefuseWhatHasNoSurface) {
   flat.triangles = {{0, 1, 2}};
   for (const Mode mode : {Mode::uniform, Mode::blue, Mode::graded, Mode::feature})
     EXPECT_THROW(sample(flat, {mode, 10, 1}), std::invalid_argument);
+  Mesh needle;
+  needle.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-30, 0}};
+  needle.triangles = {{0, 1, 2}};
+  EXPECT_THROW(sample(needle, {Mode::feature, 10, 1}), std::invalid_argument);
   Mesh broken = cube().mesh;
   broken.triangles[0][0] = 99;
   EXPECT_THROW(sample(broken, {}), std::invalid_argument);
