@@ -14,7 +14,7 @@ namespace {
 // (docs/measurements.md), rounded up; the fixed part is the program itself.
 constexpr double bytes_per_sample = 1200;
 constexpr double bytes_per_background_point = 1200;
-// While features are added two tetrahedral meshes are held: 2160 bytes a point in all for 200k
+// While features are added two tetrahedral meshes are held: 2080 bytes a point in all for 200k
 // points.
 constexpr double bytes_to_sharpen = 1200;
 // Points are added over up to three edges a sample, while both meshes are held.

@@ -51,8 +51,9 @@ Sides sides_of(const std::vector<Vec3>& points, std::size_t samples, const Sense
   return sides;
 }
 
-// Tetrahedra of the extended mesh that were there before, more than a few rings from every new
-// point: the cut would give them the labels that they have. Measured: with two rings ...
+// Tetrahedra of the extended mesh that were there before, with all corners more than a few rings
+// from every new point: the cut need not look at them again. Measured on six models: with three
+// rings the figures are those of cutting and swapping everything, with two almost.
 std::vector<std::uint8_t> far_from(const std::vector<Index>& near, const FacetMesh& facets,
                                    const Extension& extension, unsigned threads) {
   constexpr int rings = 3;

@@ -116,5 +116,17 @@ TEST(Meet, ThreeFacesOfAPrismHaveNoCorner) {
   EXPECT_FALSE(meet(a, b, c, {}));
 }
 
+// A bowl over a plane: Newton's steps wander, and where they are after the last is no meeting.
+TEST(Meet, WhereNothingMeetsNothingIsFound) {
+  const LocalSurface plane = tangent_plane({}, {0, 0, 1});
+  const LocalSurface wall = tangent_plane({}, {0, 1, 0});
+  LocalSurface bowl = plane;
+  bowl.c = {1, 0, 0, 1, 0, 1};
+  for (double x = -2; x <= 2; x += 0.01) {
+    EXPECT_FALSE(meet(bowl, plane, {x, 0.3, 0.5}, least_sine)) << x;
+    EXPECT_FALSE(meet(bowl, plane, wall, {x, 0.3, 0.5})) << x;
+  }
+}
+
 }  // namespace
 }  // namespace arris

@@ -107,6 +107,27 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
   }
 }
 
+TEST(FollowSeeds, SettledTetrahedraAreFirm) {
+  const Carried c(known_solids(600)[2]);
+  OneStageJob job;
+  const std::vector<Vec3> added{0.5 * (c.coarse.mesh.points[0] + c.coarse.mesh.points[1])};
+  std::vector<double> spacing = c.coarse.spacing;
+  spacing.push_back(spacing[0]);
+  const auto [fine, former] = add_points(c.coarse.mesh, added, {0}, job);
+  std::vector<std::uint8_t> settled(fine.size(), 0);
+  for (Tet t = 0; t < fine.finite; t += 2) settled[t] = former[t] != no_tet;
+  const Seeds seeds =
+      follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing, settled, job);
+  std::size_t soft = 0;
+  for (Tet t = 0; t < fine.finite; ++t) {
+    soft += !seeds.firm[t];
+    if (!settled[t]) continue;
+    EXPECT_TRUE(seeds.firm[t]);
+    EXPECT_EQ(seeds.label[t], c.labels[former[t]]);
+  }
+  EXPECT_GT(soft, 100u);
+}
+
 // The labels where points were added, and one facet beyond, may be overruled.
 TEST(FollowSeeds, AreHintsAtAddedPoints) {
   const Carried c(known_solids(600)[0]);

@@ -170,6 +170,25 @@ TEST(Swap, LeavesFrozenTetrahedraAlone) {
   EXPECT_GT(changed, 0u);
 }
 
+// Settled ones are not looked at first: with all settled nothing moves, with half of them the other
+// half does.
+TEST(Swap, SettledTetrahedraWaitForAMoveBesideThem) {
+  const Scene scene = make_scene(test::cube(0.1), Curvature::polyhedral, 4);
+  SwapOptions options;
+  options.settled.assign(scene.mesh.size(), 1);
+  Labels labels = scene.labels;
+  EXPECT_EQ(run(scene, labels, options).accepted, 0u);
+  EXPECT_EQ(labels, scene.labels);
+  for (Tet t = 0; t < scene.mesh.finite; ++t)
+    options.settled[t] = test::centroid(scene.mesh, t).x < 0.5;
+  const SwapResult half = run(scene, labels, options);
+  Labels whole = scene.labels;
+  const SwapResult all = run(scene, whole);
+  EXPECT_GT(half.accepted, 0u);
+  EXPECT_GT(half.energy.front() - half.energy.back(),
+            0.25 * (all.energy.front() - all.energy.back()));
+}
+
 TEST(Swap, IsDeterministicAndReachesAFixedPoint) {
   const Scene scene = make_scene(test::two_cubes(0.1), Curvature::polyhedral, 4);
   Labels first = scene.labels, second = scene.labels;
