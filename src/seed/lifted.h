@@ -21,8 +21,8 @@ struct LiftedPoint {
 // triangulation, which follows it best, part those whose circumcentre is inside from those whose is
 // outside, seen from the tangent planes of the lifted points (Boissonnat and Oudot, "Provably good
 // sampling and meshing of surfaces", 2005). Others take the label that `coarse` has where their
-// centroid would be without the lift, firm if their ball is large, as in find_seeds. For near
-// slivers, which are on a plane with a trace of noise, it is a hint; long flat ones are free.
+// centroid would be without the lift; for near slivers, which are on a plane with a trace of noise,
+// that is a hint; long flat ones are free. Labels are firm if the ball is large, as in find_seeds.
 // Complexity: near-linear, as both meshes are numbered along the same curve.
 Seeds lifted_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labels,
                    const Seeds& seeds, const TetMesh& fine, const std::vector<LiftedPoint>& lifted,
