@@ -19,6 +19,6 @@ namespace arris {
 // another part is near. Deterministic. Throws Failure(cancelled). O(tetrahedra), and a minimum cut
 // if there are stumps.
 std::size_t join_stumps(const TetMesh& mesh, const std::vector<double>& spacing, Labels& labels,
-                          Job& job);
+                        Job& job);
 
 }  // namespace arris
