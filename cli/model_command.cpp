@@ -104,9 +104,10 @@ void print_made(const Arguments& arguments, const Made& made) {
   const truth::Thickness& t = made.thickness;
   std::printf("  volume      %s\n  area        %s\n", short_number(c.volume).c_str(),
               short_number(c.area).c_str());
-  std::printf("  thinnest    wall %s, gap %s, detail %s, clearance %s\n",
+  std::printf("  thinnest    wall %s, gap %s, detail %s, clearance %s, neck %s\n",
               length_text(t.wall).c_str(), length_text(t.gap).c_str(),
-              length_text(t.detail).c_str(), length_text(t.clearance).c_str());
+              length_text(t.detail).c_str(), length_text(t.clearance).c_str(),
+              length_text(t.neck).c_str());
   std::printf("  samples     %s are dense enough\n",
               with_commas(truth::dense_samples(made.mesh, t)).c_str());
 }
@@ -129,6 +130,7 @@ void print_json(const Arguments& arguments, const Made& made) {
   json.add("gap", made.thickness.gap);
   json.add("detail", made.thickness.detail);
   json.add("clearance", made.thickness.clearance);
+  json.add("neck", made.thickness.neck);
   json.add("dense_samples", truth::dense_samples(made.mesh, made.thickness));
   json.print();
 }

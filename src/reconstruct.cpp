@@ -192,6 +192,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     labels = iterate_cuts(stage, options.cycles, again.cut, report, job);
   }
   require_inside(labels);
+  if (stage.mesh.points.size() == samples.points.size()) join_parts(stage, labels, report, job);
   stage.roughness = left_of_noise * report.noise_median * samples.frame.scale;
   job.stage("swap", shares.swap);
   if (options.swap) run_swaps(stage, labels, report, job);

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "cut/facet_costs.h"
+#include "cut/join.h"
 #include "cut/manifold.h"
 #include "cut/specks.h"
 #include "feature/insert.h"
@@ -80,17 +81,47 @@ std::vector<std::uint8_t> still_settled(const std::vector<std::uint8_t>& before,
   return far;
 }
 
+// Of the boundary of the labels, which must be a 2-manifold.
+std::int64_t euler_characteristic(const TetMesh& mesh, const Labels& labels) {
+  const std::vector<Triangle> triangles = boundary_triangles(mesh, labels);
+  std::vector<std::uint8_t> used(mesh.points.size(), 0);
+  for (const Triangle& t : triangles)
+    for (Index v : t) used[v] = 1;
+  return std::count(used.begin(), used.end(), std::uint8_t{1}) -
+         static_cast<std::int64_t>(triangles.size()) / 2;
+}
+
+// Returns how many tetrahedra were flipped.
+std::uint64_t make_manifold(const Stage& stage, const std::vector<double>& curvature,
+                            Labels& labels, Job& job) {
+  return make_manifold(
+      stage.mesh, stage.stars,
+      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); }, labels,
+      job);
+}
+
 }  // namespace
 
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job) {
   SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
-  report.manifold_flips += make_manifold(
-      stage.mesh, stage.stars,
-      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); },
-      cut.labels, job);
+  report.manifold_flips += make_manifold(stage, curvature, cut.labels, job);
   report.specks = remove_specks(stage.mesh, stage.model.spacing, cut.labels);
   return cut;
+}
+
+void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job) {
+  Labels joined = labels;
+  const std::size_t joins = join_stumps(stage.mesh, stage.model.spacing, joined, job);
+  if (joins == 0) return;
+  const std::uint64_t flips = make_manifold(stage, {}, joined, job);
+  const std::uint64_t specks = remove_specks(stage.mesh, stage.model.spacing, joined);
+  const auto lost = static_cast<std::int64_t>(2 * joins);
+  if (euler_characteristic(stage.mesh, joined) != euler_characteristic(stage.mesh, labels) - lost)
+    return;
+  report.manifold_flips += flips;
+  report.specks += specks;
+  labels = std::move(joined);
 }
 
 void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {

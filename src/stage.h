@@ -32,6 +32,10 @@ struct Stage {
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job);
 
+// Joins the stumps of parts whose sides are missing all round (cut/join.h) where that makes tubes
+// of them and nothing else. Every point of the stage must be a sample.
+void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job);
+
 void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job);
 
 // Adds the feature points that the surface of `labels` lets sense to `features`; returns the stage

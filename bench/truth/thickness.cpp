@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "surface/box_tree.h"
-#include "surface/mesh_measure.h"
 #include "truth/clearance.h"
 #include "truth/feature_graph.h"
 #include "truth/measure.h"
+#include "truth/necks.h"
+#include "truth/ray_caster.h"
 #include "truth/samplers.h"
 
 namespace arris::truth {
@@ -23,70 +23,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double across = 4;         // spacings across the thinnest part
 constexpr double per_diagonal = 50;  // and across the diagonal, at least
 constexpr double edge_step = 0.02;   // of the points tried for clearance, of the diagonal
+constexpr std::size_t neck_points = 20000, quick_neck_points = 3000;
 constexpr double detail_angle = 30 * pi / 180;
-
-struct Hit {
-  double distance = infinity;
-  Vec3 normal;  // unit
-};
-
-// The first hit of rays with a mesh. A ray is followed in stretches of doubling length, so that
-// only triangles near it are looked at.
-class RayCaster {
- public:
-  explicit RayCaster(const Mesh& mesh)
-      : mesh_(mesh),
-        diagonal_(bounds_of(mesh.vertices).diagonal()),
-        tree_(mesh.vertices, mesh.triangles, all(mesh.triangles.size()),
-              measuring_frame(mesh.vertices), 1) {}
-
-  // Hits nearer than a millionth of the diagonal are the start itself.
-  Hit first_hit(Vec3 from, Vec3 direction) const {
-    double begin = 1e-6 * diagonal_, end = 0.02 * diagonal_;
-    for (; begin < diagonal_; begin = end, end *= 2) {
-      const Hit hit = nearest_between(from, direction, begin, end);
-      if (hit.distance < infinity) return hit;
-    }
-    return {};
-  }
-
- private:
-  static std::vector<Index> all(std::size_t n) {
-    std::vector<Index> indices(n);
-    std::iota(indices.begin(), indices.end(), Index{0});
-    return indices;
-  }
-
-  Hit nearest_between(Vec3 from, Vec3 direction, double begin, double end) const {
-    arris::Box stretch;
-    stretch.add(tree_.map(from + begin * direction));
-    stretch.add(tree_.map(from + end * direction));
-    Hit nearest;
-    tree_.for_each_overlap(stretch, 0, [&](std::size_t position) {
-      const Index t = tree_.triangle(position);
-      const double d = distance_along(from, direction, mesh_.triangles[t]);
-      if (d < begin || d > end || d >= nearest.distance) return;
-      const Vec3 n = normal(mesh_, t);
-      nearest = {d, (1 / length(n)) * n};
-    });
-    return nearest;
-  }
-
-  // Moller and Trumbore 1997; infinity if the line misses the triangle.
-  double distance_along(Vec3 from, Vec3 direction, const Triangle& t) const {
-    const Vec3 a = mesh_.vertices[t[0]];
-    const Vec3 ab = mesh_.vertices[t[1]] - a, ac = mesh_.vertices[t[2]] - a;
-    const Vec3 p = cross(direction, ac), s = from - a, q = cross(s, ab);
-    const double det = dot(ab, p);
-    if (det == 0) return infinity;
-    const double u = dot(s, p) / det, v = dot(direction, q) / det;
-    return u < 0 || v < 0 || u + v > 1 ? infinity : dot(ac, q) / det;
-  }
-
-  const Mesh& mesh_;
-  double diagonal_;
-  BoxTree tree_;
-};
 
 // The length that one percent of all rays fall short of, along side * direction.
 double thin_quantile(const RayCaster& rays, const Samples& samples, double side) {
@@ -150,7 +88,7 @@ double smallest_detail(const Mesh& mesh) {
 }  // namespace
 
 double Thickness::thinnest() const {
-  return std::min({wall, gap, detail, clearance});
+  return std::min({wall, gap, detail, clearance, neck});
 }
 
 Thickness measure_thickness(const Mesh& mesh) {
@@ -160,12 +98,14 @@ Thickness measure_thickness(const Mesh& mesh) {
   const Samples samples = sample(mesh, {Mode::uniform, rays, 1});
   const RayCaster caster(mesh);
   return {thin_quantile(caster, samples, -1), thin_quantile(caster, samples, 1),
-          smallest_detail(mesh), measure_clearance(mesh, reach * diagonal, edge_step * diagonal)};
+          smallest_detail(mesh), measure_clearance(mesh, reach * diagonal, edge_step * diagonal),
+          measure_necks(mesh, reach * diagonal, neck_points)};
 }
 
 bool has_thin_spots(const Mesh& mesh, double length) {
   const double step = edge_step * bounds_of(mesh.vertices).diagonal();
-  return smallest_detail(mesh) < length || measure_clearance(mesh, length, step) < length;
+  return smallest_detail(mesh) < length || measure_clearance(mesh, length, step) < length ||
+         measure_necks(mesh, length, quick_neck_points) < length;
 }
 
 std::size_t dense_samples(const Mesh& mesh, const Thickness& thickness) {

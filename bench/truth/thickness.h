@@ -20,6 +20,8 @@ struct Thickness {
   double detail = 0;
   // What measure_clearance finds nearer than 8 % of the diagonal.
   double clearance = 0;
+  // What measure_necks finds below 8 % of the diagonal.
+  double neck = 0;
 
   double thinnest() const;
 };
@@ -28,8 +30,8 @@ struct Thickness {
 // must be closed and oriented outwards. O(n log n), and short rays are cheap.
 Thickness measure_thickness(const Mesh& mesh);
 
-// Whether detail or clearance is less than `length`, which may be 8 % of the diagonal at most:
-// quick to say so.
+// Whether detail, clearance or neck is less than `length`, which may be 8 % of the diagonal at
+// most: quick to say so.
 bool has_thin_spots(const Mesh& mesh, double length);
 
 // The number of samples whose spacing is a quarter of the thinnest part, and at most a fiftieth of

@@ -10,6 +10,7 @@
 #include "truth/boolean.h"
 #include "truth/clearance.h"
 #include "truth/measure.h"
+#include "truth/necks.h"
 #include "truth/revolution.h"
 #include "truth/samplers.h"
 #include "truth/shapes.h"
@@ -90,6 +91,29 @@ TEST(Clearance, IgnoresEdgesAndBarsButNotBlades) {
       convex_hull({{0, 0, 0}, {1, 0, -0.1}, {1, 0, 0.1}, {0, 1, 0}, {1, 1, -0.1}, {1, 1, 0.1}});
   EXPECT_LT(measure_clearance(blade, 0.2, 0.1), 0.05);
   EXPECT_NEAR(measure_clearance(thin_plate().mesh, 0.2, 0.1), 0.05, 1e-9);
+}
+
+// The ball has three times the chord for its radius, and the chord is the width of the bar, or that
+// of the tunnel.
+TEST(Necks, AreBarsTunnelsAndCrumbs) {
+  constexpr std::size_t points = 20000;
+  const Mesh bar = box_complex(
+      {{{0, 0, 0}, {1, 1, 1}}, {{1, 0.47, 0.47}, {2, 0.53, 0.53}}, {{2, 0, 0}, {3, 1, 1}}});
+  EXPECT_NEAR(measure_necks(bar, 0.5, points), 3 * 0.06, 1e-9);
+  EXPECT_EQ(measure_necks(bar, 0.17, points), none);  // out of reach
+  const Mesh drill = revolve({{0, -2}, {0.05, -2}, {0.05, 2}, {0, 2}}, 24);
+  const auto tunnel =
+      combine(box_complex({{{-1.1, -0.8, -1}, {1, 1, 1}}}), drill, Operation::subtract);
+  ASSERT_TRUE(tunnel);
+  EXPECT_NEAR(measure_necks(*tunnel, 0.5, points), 3 * 0.1, 0.01);
+  const Mesh crumb = box_complex({{{0, 0, 0}, {1, 1, 1}}, {{1.5, 1.5, 1.5}, {1.6, 1.6, 1.6}}});
+  EXPECT_NEAR(measure_necks(crumb, 0.5, points), 3 * 0.1, 0.02);
+}
+
+TEST(Necks, IgnoreEdgesAndTips) {
+  for (const Shape& shape : {cube(), wedge(), octahedron(), cone(), sphere(), two_cubes()})
+    EXPECT_EQ(measure_necks(moved(shape.mesh, 7), 0.3, 4000), none) << shape.name;
+  EXPECT_EQ(measure_necks(thin_plate().mesh, 0.3, 4000), none);  // a wall
 }
 
 TEST(Thickness, SaysHowManySamplesAreDense) {

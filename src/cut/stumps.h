@@ -1,0 +1,50 @@
+// Where the samples leave two ends of one part facing each other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "seed/seeds.h"
+#include "tetra/tet_mesh.h"
+
+namespace arris {
+
+// The surface between the labels, as facets round its points.
+struct CutSurface {
+  struct Facet {
+    Tet inside;
+    std::size_t i;  // which facet of `inside`
+    std::array<Index, 3> corners;
+    Vec3 normal;   // outward, unit; null if the facet has no area
+    double area;   // in squares of the spacing
+    double reach;  // largest distance of one of its points to a corner, in units of spacing
+  };
+  std::vector<Facet> facets;
+  std::vector<std::size_t> first, at;  // facets at point v: at[first[v] .. first[v + 1])
+
+  std::span<const std::size_t> round(Index v) const {
+    return {at.data() + first[v], at.data() + first[v + 1]};
+  }
+};
+CutSurface cut_surface_of(const TetMesh& mesh, const std::vector<double>& spacing,
+                          const Labels& labels);
+
+// A cap is a region of facets that span gaps, at whose rim the surface turns: an end that no sample
+// closes. Two that face each other, not far apart for their size, and that see each other, are the
+// stumps of one part whose sides are missing all round between them.
+struct Stumps {
+  struct Axis {
+    std::size_t from, to;  // caps, by number
+    std::array<Vec3, 2> ends;
+  };
+  std::vector<std::uint8_t> cap;  // per facet of the surface: in a cap that faces another
+  std::vector<Axis> axes;
+  std::size_t caps = 0;  // how many numbers there are
+};
+Stumps find_stumps(const TetMesh& mesh, const CutSurface& surface);
+
+}  // namespace arris
