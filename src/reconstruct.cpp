@@ -13,6 +13,8 @@
 #include "cut/level_set.h"
 #include "cut/surface_cut.h"
 #include "describe.h"
+#include "feature/facets.h"
+#include "feature/settle.h"
 #include "feature/spikes.h"
 #include "forecast.h"
 #include "noise/denoise.h"
@@ -37,9 +39,14 @@ struct Shares {
 constexpr Shares automatic_shares = {0.01, 0.02, 0.04, 0.10, 0.04, 0, 0.03, 0.13, 0.40, 0.03};
 constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0.03};
 
-// The share of the noise that moving the samples leaves in them, measured on flat and curved
-// shapes.
-constexpr double left_of_noise = 0.25;
+// The share of the noise by which settled samples are off the smooth surface that their neighbours
+// agree on, where it is small enough to be sensed: wider, tolerances would let patches creep round
+// edges of 40 degrees.
+constexpr double left_of_noise = 0.05;
+
+// Noise of more than this, in units of spacing, leaves a first surface so rough that samples settle
+// better on the second.
+constexpr double deep_noise = 0.25;
 
 // A spike can hide another, rarely a third.
 constexpr int most_spike_rounds = 2;
@@ -58,18 +65,42 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   return stage;
 }
 
-// Moves the samples onto the surface that they were measured of.
-void remove_noise(const Options& options, double share, Samples& samples, Report& report,
-                  Job& job) {
+// Moves the samples onto the surface that they were measured of. Returns the deviation of the noise
+// of each input point; nothing if no sample moved.
+std::vector<double> remove_noise(const PointCloud& cloud, const Options& options, double share,
+                                 Samples& samples, Report& report, Job& job) {
   job.stage("noise", share);
   const double scale = samples.frame.scale;
   Denoised clean = denoise(samples.points, options.noise < 0 ? -1 : options.noise * scale, job);
   report.noise_median = clean.median_level / scale;
   report.noise_highest = clean.highest_level / scale;
   report.moved_samples = clean.moved;
-  if (clean.moved == 0) return;
+  if (clean.moved == 0) return {};
+  std::vector<double> level(cloud.positions.size(), 0);
+  for (std::size_t k = 0; k < samples.source.size(); ++k) level[samples.source[k]] = clean.level[k];
   for (Vec3& p : clean.points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
   replace_points(clean.points, samples);
+  return level;
+}
+
+// Moves noisy samples onto the smooth pieces of the surface of `labels`. `noise` as of
+// remove_noise.
+void settle(const PointCloud& cloud, const std::vector<double>& noise, const Stage& stage,
+            const Labels& labels, Samples& samples, Job& job) {
+  job.stage("settle", 0);                               // not foreseen
+  const std::vector<Vec3>& before = stage.mesh.points;  // background points stay where they are
+  std::vector<Vec3> measured = before;
+  std::vector<double> level(before.size(), 0);
+  for (std::size_t k = 0; k < samples.source.size(); ++k) {
+    measured[k] = samples.frame.to_local(cloud.positions[samples.source[k]]);
+    level[k] = noise[samples.source[k]];
+  }
+  const FacetMesh mesh(boundary_triangles(stage.mesh, labels), before, job.threads());
+  std::vector<Vec3> points =
+      settle_samples({before, measured, level, stage.model.spacing}, mesh, job);
+  points.resize(samples.points.size());
+  for (Vec3& p : points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
+  replace_points(points, samples);
 }
 
 // Delaunay of samples and background points, with the seeds of the samples alone (paper, section
@@ -146,6 +177,32 @@ void sharpen(Stage& stage, const Samples& samples, double share, Labels& labels,
   report.feature_points = features.size();
 }
 
+void require_inside(const Labels& labels) {
+  if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
+    throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
+                  "scan the object from more sides, or give more points");
+}
+
+// Settles the samples on their surface and makes a new one, again where the noise is deep.
+void settle_noise(const PointCloud& cloud, const std::vector<double>& noise, const Options& options,
+                  Samples& samples, Stage& stage, Labels& labels, Report& report, Job& job) {
+  const double level = report.noise_median * samples.frame.scale;
+  std::vector<double> spacing = stage.model.spacing;
+  const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
+  std::nth_element(spacing.begin(), middle, spacing.end());
+  const int rounds = level > deep_noise * *middle ? 2 : 1;
+  constexpr Shares shares = {};  // not foreseen
+  for (int round = 0; round < rounds; ++round) {
+    settle(cloud, noise, stage, labels, samples, job);
+    stage = make_stage(samples, options, shares, report, job);
+    labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
+    require_inside(labels);
+    job.stage("swap", shares.swap);
+    if (options.swap) run_swaps(stage, labels, report, job);
+  }
+  stage.roughness = left_of_noise * level;
+}
+
 void require_attributes(const PointCloud& cloud) {
   for (const Attribute& a : cloud.attributes)
     if (a.values.size() != cloud.positions.size())
@@ -153,12 +210,6 @@ void require_attributes(const PointCloud& cloud) {
                     "attribute '" + a.name + "' has " + std::to_string(a.values.size()) +
                         " values for " + std::to_string(cloud.positions.size()) + " points",
                     "give one value per point");
-}
-
-void require_inside(const Labels& labels) {
-  if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
-    throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
-                  "scan the object from more sides, or give more points");
 }
 
 Reconstruction run(const PointCloud& cloud, const Options& given, const Context& context) {
@@ -176,7 +227,8 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     job.stage("outliers", shares.outliers);
     report.stray_outliers = drop_samples(samples, find_outliers(samples.points, job));
   }
-  if (options.noise != 0) remove_noise(options, shares.noise, samples, report, job);
+  std::vector<double> noise;
+  if (options.noise != 0) noise = remove_noise(cloud, options, shares.noise, samples, report, job);
   Stage stage = make_stage(samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   for (int round = 0; options.outliers == Outliers::drop && round < most_spike_rounds; ++round) {
@@ -188,9 +240,9 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     labels = iterate_cuts(stage, options.cycles, again.cut, report, job);
   }
   require_inside(labels);
-  stage.roughness = left_of_noise * report.noise_median * samples.frame.scale;
   job.stage("swap", shares.swap);
   if (options.swap) run_swaps(stage, labels, report, job);
+  if (!noise.empty()) settle_noise(cloud, noise, options, samples, stage, labels, report, job);
   if (options.sharpen) {
     sharpen(stage, samples, shares.features, labels, report, job);
     job.stage("swap again", shares.swap);

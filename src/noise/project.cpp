@@ -140,30 +140,25 @@ bool reaches(const std::vector<Piece>& pieces, std::size_t which, Vec3 p, Vec3 f
   return true;
 }
 
-struct Landing {
-  Vec3 point, normal;
-  std::uint8_t pieces = 0;
-};
-
-Landing land(std::vector<Piece> pieces, Vec3 p, double level) {
+// Where the sample belongs.
+Vec3 land(std::vector<Piece> pieces, Vec3 p, double level) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return std::abs(a.distance) < std::abs(b.distance);
   });
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Vec3 foot = p - pieces[i].distance * pieces[i].normal;
-    if (reaches(pieces, i, p, foot)) return {foot, pieces[i].normal, 1};
+    if (reaches(pieces, i, p, foot)) return foot;
   }
   const Vec3 edge = meet(pieces, 2, p);
-  if (distance(edge, p) <= farthest_move * level) return {edge, pieces[0].normal, 2};
-  return {p - pieces[0].distance * pieces[0].normal, pieces[0].normal, 1};
+  if (distance(edge, p) <= farthest_move * level) return edge;
+  return p - pieces[0].distance * pieces[0].normal;
 }
 
 }  // namespace
 
-Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
-                           const std::vector<PatchFit>& fits, Job& job) {
-  Projection result{points, std::vector<Vec3>(points.size()),
-                    std::vector<std::uint8_t>(points.size(), 0)};
+std::vector<Vec3> project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
+                                  const std::vector<PatchFit>& fits, Job& job) {
+  std::vector<Vec3> result = points;
   std::vector<Vec3> middles;
   for (std::size_t i = 0; i < points.size(); i += patch_stride) middles.push_back(points[i]);
   const NearestSample tree(middles);
@@ -175,10 +170,7 @@ Projection project_samples(const std::vector<Vec3>& points, const std::vector<do
       tree.nearest(points[i], most_candidates, hits);
       find_candidates(points, static_cast<Index>(i), level[i], fits, hits, candidates);
       if (candidates.empty()) continue;
-      const Landing landing = land(find_pieces(candidates), points[i], level[i]);
-      result.points[i] = landing.point;
-      result.normals[i] = landing.normal;
-      result.pieces[i] = landing.pieces;
+      result[i] = land(find_pieces(candidates), points[i], level[i]);
     }
   });
   return result;

@@ -6,7 +6,6 @@
 // to whichever piece really extends to it, or to the edge or corner where they meet.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "arris/types.h"
@@ -15,15 +14,9 @@
 
 namespace arris {
 
-struct Projection {
-  std::vector<Vec3> points;
-  std::vector<Vec3> normals;  // unit, sign arbitrary; zero where unknown
-  std::vector<std::uint8_t>
-      pieces;  // 0 not moved, 1 on a smooth piece, 2 at an edge, 3 at a corner
-};
-
+// New places of the points, bit-equal where they are not moved: no level, or no patch that fits.
 // `fits` as fit_patches gave them. Complexity: O(n log n).
-Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
-                           const std::vector<PatchFit>& fits, Job& job);
+std::vector<Vec3> project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
+                                  const std::vector<PatchFit>& fits, Job& job);
 
 }  // namespace arris
