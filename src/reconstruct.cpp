@@ -65,10 +65,14 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   return stage;
 }
 
-// Moves the samples onto the surface that they were measured of. Returns the deviation of the noise
-// of each input point; nothing if no sample moved.
-std::vector<double> remove_noise(const PointCloud& cloud, const Options& options, double share,
-                                 Samples& samples, Report& report, Job& job) {
+// Per input point: the deviation of its noise, and how many samples its new place is the mean of.
+struct Noise {
+  std::vector<double> level, backing;
+};
+
+// Moves the samples onto the surface that they were measured of. Empty if no sample moved.
+Noise remove_noise(const PointCloud& cloud, const Options& options, double share, Samples& samples,
+                   Report& report, Job& job) {
   job.stage("noise", share);
   const double scale = samples.frame.scale;
   Denoised clean = denoise(samples.points, options.noise < 0 ? -1 : options.noise * scale, job);
@@ -76,28 +80,33 @@ std::vector<double> remove_noise(const PointCloud& cloud, const Options& options
   report.noise_highest = clean.highest_level / scale;
   report.moved_samples = clean.moved;
   if (clean.moved == 0) return {};
-  std::vector<double> level(cloud.positions.size(), 0);
-  for (std::size_t k = 0; k < samples.source.size(); ++k) level[samples.source[k]] = clean.level[k];
+  Noise noise{std::vector<double>(cloud.positions.size(), 0), {}};
+  noise.backing = noise.level;
+  for (std::size_t k = 0; k < samples.source.size(); ++k) {
+    noise.level[samples.source[k]] = clean.level[k];
+    noise.backing[samples.source[k]] = clean.backing[k];
+  }
   for (Vec3& p : clean.points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
   replace_points(clean.points, samples);
-  return level;
+  return noise;
 }
 
 // Moves noisy samples onto the smooth pieces of the surface of `labels`. `noise` as of
 // remove_noise.
-void settle(const PointCloud& cloud, const std::vector<double>& noise, const Stage& stage,
-            const Labels& labels, Samples& samples, Job& job) {
+void settle(const PointCloud& cloud, const Noise& noise, const Stage& stage, const Labels& labels,
+            Samples& samples, Job& job) {
   job.stage("settle", 0);                               // not foreseen
   const std::vector<Vec3>& before = stage.mesh.points;  // background points stay where they are
   std::vector<Vec3> measured = before;
-  std::vector<double> level(before.size(), 0);
+  std::vector<double> level(before.size(), 0), backing(before.size(), 0);
   for (std::size_t k = 0; k < samples.source.size(); ++k) {
     measured[k] = samples.frame.to_local(cloud.positions[samples.source[k]]);
-    level[k] = noise[samples.source[k]];
+    level[k] = noise.level[samples.source[k]];
+    backing[k] = noise.backing[samples.source[k]];
   }
   const FacetMesh mesh(boundary_triangles(stage.mesh, labels), before, job.threads());
   std::vector<Vec3> points =
-      settle_samples({before, measured, level, stage.model.spacing}, mesh, job);
+      settle_samples({before, measured, backing, level, stage.model.spacing}, mesh, job);
   points.resize(samples.points.size());
   for (Vec3& p : points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
   replace_points(points, samples);
@@ -184,7 +193,7 @@ void require_inside(const Labels& labels) {
 }
 
 // Settles the samples on their surface and makes a new one, again where the noise is deep.
-void settle_noise(const PointCloud& cloud, const std::vector<double>& noise, const Options& options,
+void settle_noise(const PointCloud& cloud, const Noise& noise, const Options& options,
                   Samples& samples, Stage& stage, Labels& labels, Report& report, Job& job) {
   const double level = report.noise_median * samples.frame.scale;
   std::vector<double> spacing = stage.model.spacing;
@@ -227,7 +236,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     job.stage("outliers", shares.outliers);
     report.stray_outliers = drop_samples(samples, find_outliers(samples.points, job));
   }
-  std::vector<double> noise;
+  Noise noise;
   if (options.noise != 0) noise = remove_noise(cloud, options, shares.noise, samples, report, job);
   Stage stage = make_stage(samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
@@ -242,7 +251,8 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   require_inside(labels);
   job.stage("swap", shares.swap);
   if (options.swap) run_swaps(stage, labels, report, job);
-  if (!noise.empty()) settle_noise(cloud, noise, options, samples, stage, labels, report, job);
+  if (!noise.level.empty())
+    settle_noise(cloud, noise, options, samples, stage, labels, report, job);
   if (options.sharpen) {
     sharpen(stage, samples, shares.features, labels, report, job);
     job.stage("swap again", shares.swap);

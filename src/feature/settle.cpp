@@ -101,7 +101,7 @@ class Walk {
 double height_of_piece(const NoisySamples& samples, const std::vector<Vec3>& points,
                        const std::vector<Piece>& pieces, Walk& walk, Index v) {
   const double h = samples.spacing[v];
-  double sum = 0, all = 0;
+  double sum = 0, all = 0, squares = 0;
   for (Index w : walk.from(v, points, say_reach * h)) {
     const Vec3 normal = 0.5 * (pieces[v].normal + pieces[w].normal);
     const double height = dot(normal, samples.measured[w] - points[v]);
@@ -111,8 +111,15 @@ double height_of_piece(const NoisySamples& samples, const std::vector<Vec3>& poi
                           (1 - off * off) * (1 - off * off);
     sum += weight * height;
     all += weight;
+    squares += weight * weight;
   }
-  return all > 0 ? sum / all : 0;
+  if (!(all > 0)) return 0;
+  // Inverse variances: of the mean over the neighbours, and of where the sample was. A place that
+  // fewer samples back has a smaller say still: patches stay small where they fit badly.
+  const double votes = all * all / squares, given = samples.backing[v];
+  const double backing = given * std::min(given / votes, 1.0);
+  const double back = dot(pieces[v].normal, samples.points[v] - points[v]);
+  return (votes * (sum / all) + backing * back) / (votes + backing);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace arris {
 struct NoisySamples {
   const std::vector<Vec3>& points;     // where the mesh has them
   const std::vector<Vec3>& measured;   // where the input has them
+  const std::vector<double>& backing;  // samples that the place the mesh has each at is the mean of
   const std::vector<double>& level;    // standard deviation of their noise, a length
   const std::vector<double>& spacing;  // h > 0
 };

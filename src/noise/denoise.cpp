@@ -21,12 +21,15 @@ Denoised denoise(const std::vector<Vec3>& points, double level, Job& job) {
   result.highest_level = *std::max_element(middle, sorted.end());
   if (result.highest_level == 0) {
     result.points = points;
+    result.backing.resize(points.size(), 0);
     return result;
   }
   job.tick(0.3);
   const std::vector<PatchFit> fits = fit_patches(points, tree, result.level, job);
   job.tick(0.7);
-  result.points = project_samples(points, result.level, fits, job);
+  Projection projection = project_samples(points, result.level, fits, job);
+  result.points = std::move(projection.points);
+  result.backing = std::move(projection.backing);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(result.points[i] == points[i])) ++result.moved;
   return result;

@@ -140,25 +140,31 @@ bool reaches(const std::vector<Piece>& pieces, std::size_t which, Vec3 p, Vec3 f
   return true;
 }
 
-// Where the sample belongs.
-Vec3 land(std::vector<Piece> pieces, Vec3 p, double level) {
+// Where the sample belongs, and the weight of the pieces that say so.
+struct Landing {
+  Vec3 point;
+  double weight;
+};
+
+Landing land(std::vector<Piece> pieces, Vec3 p, double level) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
     return std::abs(a.distance) < std::abs(b.distance);
   });
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Vec3 foot = p - pieces[i].distance * pieces[i].normal;
-    if (reaches(pieces, i, p, foot)) return foot;
+    if (reaches(pieces, i, p, foot)) return {foot, pieces[i].weight};
   }
   const Vec3 edge = meet(pieces, 2, p);
-  if (distance(edge, p) <= farthest_move * level) return edge;
-  return p - pieces[0].distance * pieces[0].normal;
+  if (distance(edge, p) <= farthest_move * level)
+    return {edge, std::min(pieces[0].weight, pieces[1].weight)};
+  return {p - pieces[0].distance * pieces[0].normal, pieces[0].weight};
 }
 
 }  // namespace
 
-std::vector<Vec3> project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
-                                  const std::vector<PatchFit>& fits, Job& job) {
-  std::vector<Vec3> result = points;
+Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
+                           const std::vector<PatchFit>& fits, Job& job) {
+  Projection result{points, std::vector<double>(points.size(), 0)};
   std::vector<Vec3> middles;
   for (std::size_t i = 0; i < points.size(); i += patch_stride) middles.push_back(points[i]);
   const NearestSample tree(middles);
@@ -170,7 +176,9 @@ std::vector<Vec3> project_samples(const std::vector<Vec3>& points, const std::ve
       tree.nearest(points[i], most_candidates, hits);
       find_candidates(points, static_cast<Index>(i), level[i], fits, hits, candidates);
       if (candidates.empty()) continue;
-      result[i] = land(find_pieces(candidates), points[i], level[i]);
+      const Landing landing = land(find_pieces(candidates), points[i], level[i]);
+      result.points[i] = landing.point;
+      result.backing[i] = landing.weight;
     }
   });
   return result;

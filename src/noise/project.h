@@ -14,9 +14,13 @@
 
 namespace arris {
 
-// New places of the points, bit-equal where they are not moved: no level, or no patch that fits.
+struct Projection {
+  std::vector<Vec3> points;     // bit-equal where not moved: no level, or no patch that fits
+  std::vector<double> backing;  // samples that a new place is the mean of, as its variance has it
+};
+
 // `fits` as fit_patches gave them. Complexity: O(n log n).
-std::vector<Vec3> project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
-                                  const std::vector<PatchFit>& fits, Job& job);
+Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
+                           const std::vector<PatchFit>& fits, Job& job);
 
 }  // namespace arris

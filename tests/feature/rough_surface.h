@@ -14,7 +14,7 @@ struct RoughSurface {
   std::vector<double> spacing;
   double h, sigma;
   std::vector<Vec3> points;
-  std::vector<double> level;
+  std::vector<double> level, backing;  // backing: none, the points are where they were measured
   FacetMesh facets;
 
   RoughSurface(const Shape& shape, std::size_t n, double noise)
@@ -24,11 +24,12 @@ struct RoughSurface {
         sigma(noise * h),
         points(noisy(clean.vertices, sigma)),
         level(points.size(), sigma),
+        backing(points.size(), 0),
         facets(clean.triangles, points, 1) {}
 
   std::vector<Vec3> settled(unsigned threads = 1) const {
     OneStageJob job(threads);
-    return settle_samples({points, points, level, spacing}, facets, job);
+    return settle_samples({points, points, backing, level, spacing}, facets, job);
   }
 
   Vec3 middle(std::size_t facet) const {
