@@ -39,14 +39,15 @@ struct Shares {
 constexpr Shares automatic_shares = {0.01, 0.02, 0.04, 0.10, 0.04, 0, 0.03, 0.13, 0.40, 0.03};
 constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0.03};
 
-// The share of the noise by which settled samples are off the smooth surface that their neighbours
-// agree on, where it is small enough to be sensed: wider, tolerances would let patches creep round
-// edges of 40 degrees.
-constexpr double left_of_noise = 0.05;
+// The share of the noise that moving the samples leaves in them, measured on flat and curved
+// shapes; and that by which settled samples are off the smooth surface that their neighbours agree
+// on: wider tolerances would let patches creep round edges of 40 degrees.
+constexpr double left_of_noise = 0.25, left_when_settled = 0.05;
 
-// Noise of more than this, in units of spacing, leaves a first surface so rough that samples settle
-// better on the second.
-constexpr double deep_noise = 0.25;
+// In units of spacing: noise of less than this leaves a first surface so smooth that settling would
+// only blunt its edges, noise of more than that one so rough that samples settle better on the
+// second.
+constexpr double shallow_noise = 0.1, deep_noise = 0.25;
 
 // A spike can hide another, rarely a third.
 constexpr int most_spike_rounds = 2;
@@ -199,7 +200,7 @@ void settle_noise(const PointCloud& cloud, const Noise& noise, const Options& op
   std::vector<double> spacing = stage.model.spacing;
   const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
   std::nth_element(spacing.begin(), middle, spacing.end());
-  const int rounds = level > deep_noise * *middle ? 2 : 1;
+  const int rounds = level < shallow_noise * *middle ? 0 : level > deep_noise * *middle ? 2 : 1;
   constexpr Shares shares = {};  // not foreseen
   for (int round = 0; round < rounds; ++round) {
     settle(cloud, noise, stage, labels, samples, job);
@@ -209,7 +210,7 @@ void settle_noise(const PointCloud& cloud, const Noise& noise, const Options& op
     job.stage("swap", shares.swap);
     if (options.swap) run_swaps(stage, labels, report, job);
   }
-  stage.roughness = left_of_noise * level;
+  stage.roughness = (rounds == 0 ? left_of_noise : left_when_settled) * level;
 }
 
 void require_attributes(const PointCloud& cloud) {
