@@ -15,7 +15,7 @@
 #include "describe.h"
 #include "feature/spikes.h"
 #include "forecast.h"
-#include "noise/denoise.h"
+#include "noise_stage.h"
 #include "options.h"
 #include "output.h"
 #include "refine_stage.h"
@@ -40,8 +40,14 @@ constexpr Shares refine_shares = {0.01, 0.02, 0.02, 0.04, 0.02, 0, 0.02, 0.06, 0
 constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0, 0.03};
 
 // The share of the noise that moving the samples leaves in them, measured on flat and curved
-// shapes.
-constexpr double left_of_noise = 0.25;
+// shapes; and that by which settled samples are off the smooth surface that their neighbours agree
+// on: wider tolerances would let patches creep round edges of 40 degrees.
+constexpr double left_of_noise = 0.25, left_when_settled = 0.05;
+
+// In units of spacing: noise of less than this leaves a first surface so smooth that settling would
+// only blunt its edges, noise of more than that one so rough that samples settle better on the
+// second.
+constexpr double shallow_noise = 0.1, deep_noise = 0.25;
 
 // A spike can hide another, rarely a third.
 constexpr int most_spike_rounds = 2;
@@ -58,20 +64,6 @@ Stage seed_samples(const Samples& samples, const Options& options, const Shares&
   const std::vector<Circumball> balls = circumballs(stage.mesh, job.threads());
   stage.seeds = find_seeds(stage.mesh, stage.stars, balls, stage.model.spacing, job);
   return stage;
-}
-
-// Moves the samples onto the surface that they were measured of.
-void remove_noise(const Options& options, double share, Samples& samples, Report& report,
-                  Job& job) {
-  job.stage("noise", share);
-  const double scale = samples.frame.scale;
-  Denoised clean = denoise(samples.points, options.noise < 0 ? -1 : options.noise * scale, job);
-  report.noise_median = clean.median_level / scale;
-  report.noise_highest = clean.highest_level / scale;
-  report.moved_samples = clean.moved;
-  if (clean.moved == 0) return;
-  for (Vec3& p : clean.points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
-  replace_points(clean.points, samples);
 }
 
 // Delaunay of samples and background points, with the seeds of the samples alone (paper, section
@@ -148,6 +140,40 @@ void sharpen(Stage& stage, const Samples& samples, double share, Labels& labels,
   report.feature_points = features.size();
 }
 
+void require_inside(const Labels& labels) {
+  if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
+    throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
+                  "scan the object from more sides, or give more points");
+}
+
+// Joins what missing samples have parted, and swaps.
+void finish_first(const Samples& samples, const Options& options, double share, const Stage& stage,
+                  Labels& labels, Report& report, Job& job) {
+  require_inside(labels);
+  if (stage.mesh.points.size() == samples.points.size()) join_parts(stage, labels, report, job);
+  job.stage("swap", share);
+  if (options.swap) run_swaps(stage, labels, report, job);
+}
+
+// Settles the samples on their surface and makes a new one, again where the noise is deep.
+void settle_noise(const PointCloud& cloud, const Noise& noise, const Options& options,
+                  Samples& samples, Stage& stage, Labels& labels, Report& report, Job& job) {
+  const double level = report.noise_median * samples.frame.scale;
+  std::vector<double> spacing = stage.model.spacing;
+  const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
+  std::nth_element(spacing.begin(), middle, spacing.end());
+  const int rounds = level < shallow_noise * *middle ? 0 : level > deep_noise * *middle ? 2 : 1;
+  constexpr Shares shares = {};  // not foreseen
+  for (int round = 0; round < rounds; ++round) {
+    job.stage("settle", 0);  // not foreseen
+    settle(cloud, noise, stage, labels, samples, job);
+    stage = make_stage(samples, options, shares, report, job);
+    labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
+    finish_first(samples, options, shares.swap, stage, labels, report, job);
+  }
+  stage.roughness = (rounds == 0 ? left_of_noise : left_when_settled) * level;
+}
+
 void require_attributes(const PointCloud& cloud) {
   for (const Attribute& a : cloud.attributes)
     if (a.values.size() != cloud.positions.size())
@@ -155,12 +181,6 @@ void require_attributes(const PointCloud& cloud) {
                     "attribute '" + a.name + "' has " + std::to_string(a.values.size()) +
                         " values for " + std::to_string(cloud.positions.size()) + " points",
                     "give one value per point");
-}
-
-void require_inside(const Labels& labels) {
-  if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
-    throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
-                  "scan the object from more sides, or give more points");
 }
 
 Reconstruction run(const PointCloud& cloud, const Options& given, const Context& context) {
@@ -180,7 +200,11 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     job.stage("outliers", shares.outliers);
     report.stray_outliers = drop_samples(samples, find_outliers(samples.points, job));
   }
-  if (options.noise != 0) remove_noise(options, shares.noise, samples, report, job);
+  Noise noise;
+  if (options.noise != 0) {
+    job.stage("noise", shares.noise);
+    noise = remove_noise(cloud, options, samples, report, job);
+  }
   Stage stage = make_stage(samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   for (int round = 0; options.outliers == Outliers::drop && round < most_spike_rounds; ++round) {
@@ -191,11 +215,9 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     stage = make_stage(samples, options, again, report, job);
     labels = iterate_cuts(stage, options.cycles, again.cut, report, job);
   }
-  require_inside(labels);
-  if (stage.mesh.points.size() == samples.points.size()) join_parts(stage, labels, report, job);
-  stage.roughness = left_of_noise * report.noise_median * samples.frame.scale;
-  job.stage("swap", shares.swap);
-  if (options.swap) run_swaps(stage, labels, report, job);
+  finish_first(samples, options, shares.swap, stage, labels, report, job);
+  if (!noise.level.empty())
+    settle_noise(cloud, noise, options, samples, stage, labels, report, job);
   if (options.sharpen) {
     sharpen(stage, samples, shares.features, labels, report, job);
     job.stage("swap again", shares.swap);

@@ -14,7 +14,6 @@ Denoised denoise(const std::vector<Vec3>& points, double level, Job& job) {
   const NearestSample tree(points);
   result.level =
       level < 0 ? estimate_noise(points, tree, job) : std::vector<double>(points.size(), level);
-  result.fit_size.resize(points.size(), 0);
   std::vector<double> sorted = result.level;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
@@ -22,18 +21,15 @@ Denoised denoise(const std::vector<Vec3>& points, double level, Job& job) {
   result.highest_level = *std::max_element(middle, sorted.end());
   if (result.highest_level == 0) {
     result.points = points;
-    result.normals.resize(points.size());
-    result.pieces.resize(points.size(), 0);
+    result.backing.resize(points.size(), 0);
     return result;
   }
   job.tick(0.3);
   const std::vector<PatchFit> fits = fit_patches(points, tree, result.level, job);
-  for (std::size_t i = 0; i < fits.size(); ++i) result.fit_size[i * patch_stride] = fits[i].count;
   job.tick(0.7);
   Projection projection = project_samples(points, result.level, fits, job);
   result.points = std::move(projection.points);
-  result.normals = std::move(projection.normals);
-  result.pieces = std::move(projection.pieces);
+  result.backing = std::move(projection.backing);
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(result.points[i] == points[i])) ++result.moved;
   return result;

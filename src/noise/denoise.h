@@ -10,12 +10,9 @@
 namespace arris {
 
 struct Denoised {
-  std::vector<Vec3> points;          // bit-equal to the input where not moved
-  std::vector<double> level;         // standard deviation of the noise along the normal, per point
-  std::vector<Vec3> normals;         // unit, of the piece of surface the point was moved to, sign
-                                     // arbitrary; zero where not moved
-  std::vector<std::uint8_t> pieces;  // 0 not moved, 1 onto a smooth piece, 2 onto an edge
-  std::vector<Index> fit_size;       // samples of the patch round the point; 0 if none
+  std::vector<Vec3> points;     // bit-equal to the input where not moved
+  std::vector<double> level;    // standard deviation of the noise along the normal, per point
+  std::vector<double> backing;  // samples that the new place of each is the mean of; 0: not moved
   double median_level = 0, highest_level = 0;
   std::uint64_t moved = 0;
 };

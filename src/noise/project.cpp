@@ -141,9 +141,10 @@ bool reaches(const std::vector<Piece>& pieces, std::size_t which, Vec3 p, Vec3 f
   return true;
 }
 
+// Where the sample belongs, and the weight of the pieces that say so.
 struct Landing {
-  Vec3 point, normal;
-  std::uint8_t pieces = 0;
+  Vec3 point;
+  double weight;
 };
 
 Landing land(std::vector<Piece> pieces, Vec3 p, double level) {
@@ -152,19 +153,19 @@ Landing land(std::vector<Piece> pieces, Vec3 p, double level) {
   });
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Vec3 foot = p - pieces[i].distance * pieces[i].normal;
-    if (reaches(pieces, i, p, foot)) return {foot, pieces[i].normal, 1};
+    if (reaches(pieces, i, p, foot)) return {foot, pieces[i].weight};
   }
   const Vec3 edge = meet(pieces, 2, p);
-  if (distance(edge, p) <= farthest_move * level) return {edge, pieces[0].normal, 2};
-  return {p - pieces[0].distance * pieces[0].normal, pieces[0].normal, 1};
+  if (distance(edge, p) <= farthest_move * level)
+    return {edge, std::min(pieces[0].weight, pieces[1].weight)};
+  return {p - pieces[0].distance * pieces[0].normal, pieces[0].weight};
 }
 
 }  // namespace
 
 Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
                            const std::vector<PatchFit>& fits, Job& job) {
-  Projection result{points, std::vector<Vec3>(points.size()),
-                    std::vector<std::uint8_t>(points.size(), 0)};
+  Projection result{points, std::vector<double>(points.size(), 0)};
   std::vector<Vec3> middles;
   for (std::size_t i = 0; i < points.size(); i += patch_stride) middles.push_back(points[i]);
   const NearestSample tree(middles);
@@ -178,8 +179,7 @@ Projection project_samples(const std::vector<Vec3>& points, const std::vector<do
       if (candidates.empty()) continue;
       const Landing landing = land(find_pieces(candidates), points[i], level[i]);
       result.points[i] = landing.point;
-      result.normals[i] = landing.normal;
-      result.pieces[i] = landing.pieces;
+      result.backing[i] = landing.weight;
     }
   });
   return result;

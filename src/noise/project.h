@@ -6,7 +6,6 @@
 // to whichever piece really extends to it, or to the edge or corner where they meet.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "arris/types.h"
@@ -16,10 +15,8 @@
 namespace arris {
 
 struct Projection {
-  std::vector<Vec3> points;
-  std::vector<Vec3> normals;  // unit, sign arbitrary; zero where unknown
-  std::vector<std::uint8_t>
-      pieces;  // 0 not moved, 1 on a smooth piece, 2 at an edge, 3 at a corner
+  std::vector<Vec3> points;     // bit-equal where not moved: no level, or no patch that fits
+  std::vector<double> backing;  // samples that a new place is the mean of, as its variance has it
 };
 
 // `fits` as fit_patches gave them. Complexity: O(n log n).

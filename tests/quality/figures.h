@@ -66,12 +66,12 @@ inline constexpr QualityCase quality_cases[] = {
     {"perforated_cube", Sampling::uniform, 8000, {0.116, 0.920, 0.24, 0.00032, Topology::right}},
     {"l_bracket", Sampling::uniform, 6000, {0.018, 0.967, 0.04, 0.00005, Topology::right}},
     {"torus", Sampling::uniform, 6000, {2.976, -1.000, 3.61, 0.00630, Topology::right}},
-    {"cube", Sampling::noise, 4000, {2.802, 0.611, 1.00, 0.00482, Topology::right}},
-    {"l_bracket", Sampling::noise, 5000, {3.360, 0.461, 1.78, 0.00784, Topology::right}},
-    {"cylinder", Sampling::noise, 4000, {2.702, 0.473, 1.51, 0.00384, Topology::right}},
-    {"torus", Sampling::noise, 5000, {4.539, -1.000, 3.43, 0.00960, Topology::right}},
-    {"cube", Sampling::outliers, 4000, {0.001, 0.989, 0.00, 0.00000, Topology::right}},
-    {"l_bracket", Sampling::outliers, 5000, {0.001, 0.980, 0.00, 0.00000, Topology::right}},
+    {"cube", Sampling::noise, 4000, {2.808, 0.611, 1.03, 0.00482, Topology::right}},
+    {"l_bracket", Sampling::noise, 5000, {3.189, 0.475, 1.29, 0.00753, Topology::right}},
+    {"cylinder", Sampling::noise, 4000, {2.699, 0.473, 1.50, 0.00382, Topology::right}},
+    {"torus", Sampling::noise, 5000, {4.091, -1.000, 3.05, 0.00862, Topology::right}},
+    {"cube", Sampling::outliers, 4000, {0.000, 0.986, 0.00, 0.00000, Topology::right}},
+    {"l_bracket", Sampling::outliers, 5000, {0.004, 0.970, 0.01, 0.00001, Topology::right}},
     {"torus", Sampling::outliers, 5000, {1.668, -1.000, 2.68, 0.00355, Topology::right}},
 };
 
