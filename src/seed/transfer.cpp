@@ -71,7 +71,7 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
   result.confidence = seeds.confidence;
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
-  // What the points were added to correct must not vote against them.
+  // What the points were added to correct must not vote against them, unless it is firm.
   result.hint = round_new(fine, former, job.threads());
   const auto label_at = [&](Tet t) {
     if (former[t] != no_tet) return labels[former[t]];
@@ -95,7 +95,7 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     if (sliver) result.hint[t] = 1;
     const bool bridge = is_bridge(fine, t, base, h);
     result.label[t] = bridge ? seed_free : label_at(t);
-    result.firm[t] = !bridge && !result.hint[t] && ball_of(fine, t).radius > firm_radius * h;
+    result.firm[t] = !bridge && !sliver && ball_of(fine, t).radius > firm_radius * h;
   });
   return result;
 }
