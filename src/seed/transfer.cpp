@@ -15,17 +15,21 @@ Circumball ball_of(const TetMesh& mesh, Tet t) {
   return circumball(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
 }
 
-// The tetrahedra that were not there before, and those beyond their facets.
-std::vector<std::uint8_t> round_new(const TetMesh& fine, const std::vector<Tet>& former,
-                                    unsigned threads) {
-  const auto is_new = [&](Tet t) { return fine.is_finite(t) && former[t] == no_tet; };
-  std::vector<std::uint8_t> marked(fine.finite);
-  parallel_for(fine.finite, threads, [&](std::size_t i) {
-    const auto t = static_cast<Tet>(i);
-    const auto& beyond = fine.neighbours[t];
-    marked[t] = is_new(t) || std::any_of(beyond.begin(), beyond.end(), is_new);
+// Per tetrahedron the labels of the places (bit l for label l) where those of its corners lie that
+// were added, or those of the tetrahedron beyond a facet. `place`: the labels of the added points.
+std::vector<std::uint8_t> places_round(const TetMesh& fine, const std::vector<std::uint8_t>& place,
+                                       unsigned threads) {
+  const std::size_t known = fine.points.size() - place.size();
+  std::vector<std::uint8_t> at(fine.size(), 0), round(fine.finite);
+  parallel_for(fine.finite, threads, [&](std::size_t t) {
+    for (Index v : fine.vertices[t])
+      if (v >= known) at[t] = static_cast<std::uint8_t>(at[t] | 1 << place[v - known]);
   });
-  return marked;
+  parallel_for(fine.finite, threads, [&](std::size_t t) {
+    round[t] = at[t];
+    for (Tet n : fine.neighbours[t]) round[t] = static_cast<std::uint8_t>(round[t] | at[n]);
+  });
+  return round;
 }
 
 }  // namespace
@@ -71,8 +75,7 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
   result.confidence = seeds.confidence;
   result.label.resize(fine.finite);
   result.firm.resize(fine.finite);
-  // What the points were added to correct must not vote against them, unless it is firm.
-  result.hint = round_new(fine, former, job.threads());
+  result.hint.assign(fine.finite, 0);
   const auto label_at = [&](Tet t) {
     if (former[t] != no_tet) return labels[former[t]];
     const auto& corners = fine.vertices[t];
@@ -80,6 +83,11 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
     return labels[locate(coarse, centroid(fine, t), star[known])];
   };
+  std::vector<std::uint8_t> place(near.size());
+  parallel_for(near.size(), job.threads(), [&](std::size_t k) {
+    place[k] = labels[locate(coarse, fine.points[coarse.points.size() + k], star[near[k]])];
+  });
+  const std::vector<std::uint8_t> places = places_round(fine, place, job.threads());
   parallel_for(fine.finite, job.threads(), [&](std::size_t i) {
     const auto t = static_cast<Tet>(i);
     const double h = mean_spacing(fine, spacing, t);
@@ -92,9 +100,12 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
       result.firm[t] = 1;
       return;
     }
-    if (sliver) result.hint[t] = 1;
     const bool bridge = is_bridge(fine, t, base, h);
-    result.label[t] = bridge ? seed_free : label_at(t);
+    const std::uint8_t label = label_at(t);
+    result.label[t] = bridge ? seed_free : label;
+    // A point that lies outside was added to win what is outside round it: that must not vote
+    // against it, and likewise inside.
+    result.hint[t] = sliver || (places[t] >> label & 1) != 0;
     result.firm[t] = !bridge && !sliver && ball_of(fine, t).radius > firm_radius * h;
   });
   return result;

@@ -17,11 +17,11 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
 
 // The same where the points of `fine` are those of `coarse` and then points added on the surface:
 // every tetrahedron takes the label of the tetrahedron of `coarse` that it was (`former`, or
-// no_tet) or that holds its centroid, and is firm if its ball is large, as in find_seeds. Of new
-// tetrahedra, and one facet beyond, where the surface is expected to change, the labels that are
-// not firm are hints. Long flat tetrahedra are free; slivers that were there before, and those that
-// are `settled` (1, per tetrahedron of `fine`), keep their label. `near`: for each added point one
-// of `coarse` near it.
+// no_tet) or that holds its centroid, and is firm if its ball is large, as in find_seeds. Round an
+// added point, and one facet beyond, the label that its place has in `coarse` is a hint unless it
+// is firm: the surface is expected to move there. Long flat tetrahedra are free; slivers that were
+// there before, and those that are `settled` (1, per tetrahedron of `fine`), keep their label.
+// `near`: for each added point one of `coarse` near it.
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Tet>& former,
                    const std::vector<Index>& near, const std::vector<double>& spacing,

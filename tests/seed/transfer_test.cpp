@@ -6,6 +6,7 @@
 
 #include "support/known_solids.h"
 #include "tetra/background.h"
+#include "tetra/locate.h"
 
 namespace arris {
 namespace {
@@ -128,7 +129,7 @@ TEST(FollowSeeds, SettledTetrahedraAreFirm) {
   EXPECT_GT(soft, 100u);
 }
 
-// The labels where points were added, and one facet beyond, may be overruled.
+// Where a point was added, and one facet beyond, the label of its place may be overruled.
 TEST(FollowSeeds, AreHintsAtAddedPoints) {
   const Carried c(known_solids(600)[0]);
   const std::vector<Vec3>& samples = c.coarse.mesh.points;
@@ -138,7 +139,9 @@ TEST(FollowSeeds, AreHintsAtAddedPoints) {
   std::vector<double> spacing = c.coarse.spacing;
   spacing.push_back(spacing[0]);
   OneStageJob job;
-  const auto [fine, former] = add_points(c.coarse.mesh, {0.5 * (samples[0] + nearest)}, {0}, job);
+  const Vec3 added = 0.5 * (samples[0] + nearest);
+  const auto [fine, former] = add_points(c.coarse.mesh, {added}, {0}, job);
+  const std::uint8_t place = c.labels[locate(c.coarse.mesh, added, c.coarse.stars[0][0])];
   const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
                                    std::vector<std::uint8_t>(fine.size(), 0), job);
   const TetMesh& mesh = fine;  // a structured binding cannot be captured
@@ -152,7 +155,8 @@ TEST(FollowSeeds, AreHintsAtAddedPoints) {
     const bool near = std::any_of(round.begin(), round.end(), is_new);
     const bool flat = largest_base(mesh, t).height < sliver_height * mean_spacing(mesh, spacing, t);
     (is_new(t) ? at : near ? beyond : elsewhere) += 1;
-    EXPECT_TRUE(flat || seeds.hint[t] == (is_new(t) || near));
+    const bool won = seeds.label[t] == place && (is_new(t) || near);
+    EXPECT_TRUE(flat || seeds.label[t] == seed_free || seeds.hint[t] == won);
   }
   EXPECT_GT(at, 4u);
   EXPECT_GT(beyond, 4u);
