@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "feature/normal_filter.h"
+#include "feature/small_set.h"
 
 namespace arris {
 namespace {
@@ -21,7 +22,7 @@ constexpr double unlikeness = 1.5;
 constexpr double gate = 4;
 // Samples move all at once; after three times they hardly do.
 constexpr int passes = 3;
-constexpr std::size_t grain = 4096;  // samples a chunk, which has an array of its own over all
+constexpr std::size_t grain = 1024;  // samples a chunk
 
 // exp(-x²/2) of the length x of `difference` in units of `width`.
 double falloff(Vec3 difference, double width) {
@@ -68,18 +69,17 @@ Piece find_piece(const std::vector<Vec3>& points, const FacetMesh& mesh,
 // Walks over the mesh from a sample as far as its piece goes.
 class Walk {
  public:
-  Walk(const FacetMesh& mesh, const std::vector<Piece>& pieces)
-      : mesh_(mesh), pieces_(pieces), seen_(pieces.size(), no_index) {}
+  Walk(const FacetMesh& mesh, const std::vector<Piece>& pieces) : mesh_(mesh), pieces_(pieces) {}
 
   // The points of the piece of v within `far` of it, v first.
   const std::vector<Index>& from(Index v, const std::vector<Vec3>& points, double far) {
     found_.assign(1, v);
-    seen_[v] = v;
+    seen_.clear();
+    seen_.insert(v);
     for (std::size_t k = 0; k < found_.size(); ++k)
       for (Index f : mesh_.star(found_[k]))
         for (Index w : mesh_.facets[f]) {
-          if (seen_[w] == v) continue;
-          seen_[w] = v;
+          if (!seen_.insert(w)) continue;
           if (distance(points[w], points[v]) <= far && is_alike(v, w)) found_.push_back(w);
         }
     return found_;
@@ -92,7 +92,8 @@ class Walk {
 
   const FacetMesh& mesh_;
   const std::vector<Piece>& pieces_;
-  std::vector<Index> seen_, found_;
+  SmallSet seen_;
+  std::vector<Index> found_;
 };
 
 // How far above `points[v]` its piece is. A sample at p with the normal m says: by the mean of n·d
