@@ -12,19 +12,19 @@ mkdir -p "$work" "$images"
 scripts/demo.sh "$build" >/dev/null
 cp "$build/demo/angel.png" "$images/scan.png"
 
-# samples MODEL N: points on corners, edges and faces, in $work/MODEL.ply.
+# samples MODEL N MODE: points in $work/MODEL.ply; feature: on corners and edges, too, blue: not.
 samples() {
   "$arris" model "$1" --quiet --unit -o "$work/$1.off"
-  "$arris" sample "$work/$1.off" --quiet -n "$2" --mode feature -o "$work/$1.ply"
+  "$arris" sample "$work/$1.off" --quiet -n "$2" --mode "$3" -o "$work/$1.ply"
 }
 # The number after "element NAME" in the header of a PLY file.
 elements() { sed -n "s/^element $1 //p;/^end_header/q" "$2"; }
 
-# Above, points sampled on corners, edges and faces; below, the meshes of these points alone.
+# Above, points none of which is on an edge; below, the meshes of these points alone.
 set --
 meshes=""
 for model in perforated_cube l_bracket dodecahedron tangled_cubes; do
-  samples $model 3000
+  samples $model 3000 blue
   "$arris" reconstruct --quiet "$work/$model.ply" -o "$work/${model}_mesh.ply"
   set -- "$@" --caption "$(elements vertex "$work/$model.ply") points" "$work/$model.ply"
   meshes="$meshes $work/${model}_mesh.ply"
@@ -36,7 +36,7 @@ done
   -o "$images/edges.png"
 
 # Figure 6: what lambda weighs, where swaps may take samples off the surface; and where they may not.
-samples two_cubes 2472
+samples two_cubes 2472 feature
 set --
 while IFS='|' read -r name caption options; do
   # shellcheck disable=SC2086  # the options are split on purpose
