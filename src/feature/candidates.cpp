@@ -22,6 +22,9 @@ const double least_sine = std::sin(least_angle) / 2;
 // How far from a crossing its edge or corner may lie, in units of spacing.
 constexpr double edge_reach = 1.5;
 constexpr double corner_reach = 2.5;
+// With more distinct sides round one facet there is no corner to be told, only noise; every three
+// of them would be tried. On 76 clean clouds of 38 models there are seven at most.
+constexpr std::size_t most_sides = 16;
 // Feet of the ends themselves are taken for ends nearer than this to the edge.
 constexpr double foot_reach = 0.3;
 // How far past a third surface an edge may run, in units of spacing.
@@ -155,6 +158,7 @@ std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
     const Triangle& t = c.mesh.facets[f];
     if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
     const std::vector<Side> sides = sides_round(c, f);
+    if (sides.size() > most_sides) continue;
     const double h = (c.spacing[t[0]] + c.spacing[t[1]] + c.spacing[t[2]]) / 3;
     const Vec3 middle = 1.0 / 3 * (c.points[t[0]] + c.points[t[1]] + c.points[t[2]]);
     for (std::size_t i = 0; i < sides.size(); ++i)

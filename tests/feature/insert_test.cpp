@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "feature/candidates.h"
 #include "feature/point_grid.h"
 #include "feature/protect.h"
 #include "feature/sensing.h"
@@ -232,6 +233,23 @@ TEST(Insert, SampledEdgesGetNone) {
   const Result<Reconstruction> r = reconstruct(cloud, unsharpened());
   ASSERT_TRUE(r);
   EXPECT_TRUE(features_of(FirstSurface(r->mesh, 1)).empty());
+}
+
+// Noise can give every sample sides of its own, in all directions; every three of those near a
+// facet meet somewhere.
+TEST(Corners, AreNotSoughtAmongSidesThatAllDisagree) {
+  FirstSurface s(make_shape("cube"), 1000);
+  OneStageJob job;
+  ASSERT_FALSE(corner_candidates({s.points, s.facets, s.spacing, s.sensed}, job).empty());
+  Random random(3);
+  s.sensed = {};
+  for (const Vec3 p : s.points) {
+    s.sensed.first.push_back(static_cast<Index>(s.sensed.surface.size()));
+    for (int side = 0; side < 8; ++side)
+      s.sensed.surface.push_back(tangent_plane(p, random.direction()));
+  }
+  s.sensed.first.push_back(static_cast<Index>(s.sensed.surface.size()));
+  EXPECT_TRUE(corner_candidates({s.points, s.facets, s.spacing, s.sensed}, job).empty());
 }
 
 }  // namespace
