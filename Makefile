@@ -23,7 +23,7 @@ BENCHMARK = python3 bench/benchmark.py --build $(BUILD) \
   $(if $(BENCH_SIZES),--sizes '$(BENCH_SIZES)') $(BENCH_OPTIONS)
 # Tests that run more than one thread, for TSan, by name; and the executables that have them.
 TSAN_TESTS ?= Parallel|Thread
-TSAN_TARGETS ?= test_base test_cut test_seed test_swap test_surface test_pipeline
+TSAN_TARGETS ?= test_base test_cut test_seed test_swap test_feature test_surface test_pipeline
 
 # Suites that measure whole reconstructions, for minutes; the other pipeline tests run the same code.
 SANITIZE_SKIP ?= ^quality\.|^pipeline_sharp\.
