@@ -34,6 +34,7 @@ std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t p
 
 std::vector<std::vector<LocalSurface>> surfaces_of(const std::vector<FeaturePoint>& features) {
   std::vector<std::vector<LocalSurface>> surfaces;
+  surfaces.reserve(features.size());
   for (const FeaturePoint& p : features) surfaces.push_back(p.surfaces);
   return surfaces;
 }

@@ -128,6 +128,7 @@ void rank_corners(std::vector<Candidate>& all) {
     return a.first != b.first ? a.first > b.first : all[a.second].far < all[b.second].far;
   });
   std::vector<Candidate> ranked;
+  ranked.reserve(all.size());
   for (const auto& [votes, i] : order) ranked.push_back(std::move(all[i]));
   all = std::move(ranked);
 }
