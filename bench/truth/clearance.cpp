@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -21,18 +20,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double detour = 3;  // parts joined within so many distances belong together
-
-std::vector<Index> all_of(std::size_t n) {
-  std::vector<Index> indices(n);
-  std::iota(indices.begin(), indices.end(), Index{0});
-  return indices;
-}
-
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 ab = b - a;
-  const double s = std::clamp(dot(p - a, ab) / squared_length(ab), 0.0, 1.0);
-  return distance(p, a + s * ab);
-}
 
 // Per triangle the three across its edges.
 std::vector<std::array<Index, 3>> neighbours_of(const Mesh& mesh) {
@@ -55,8 +42,8 @@ class Search {
   explicit Search(const Mesh& mesh)
       : mesh_(mesh),
         neighbours_(neighbours_of(mesh)),
-        tree_(mesh.vertices, mesh.triangles, all_of(mesh.triangles.size()),
-              measuring_frame(mesh.vertices), 1),
+        tree_(mesh.vertices, mesh.triangles, all_triangles(mesh), measuring_frame(mesh.vertices),
+              1),
         grain_(1e-9 * bounds_of(mesh.vertices).diagonal()),
         distance_(mesh.triangles.size(), infinity),
         joined_(mesh.triangles.size(), false) {}

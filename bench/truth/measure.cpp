@@ -149,6 +149,18 @@ long euler(const Mesh& mesh) {
          static_cast<long>(mesh.triangles.size());
 }
 
+std::vector<Index> all_triangles(const Mesh& mesh) {
+  std::vector<Index> indices(mesh.triangles.size());
+  std::iota(indices.begin(), indices.end(), Index{0});
+  return indices;
+}
+
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 ab = b - a;
+  const double s = std::clamp(dot(p - a, ab) / squared_length(ab), 0.0, 1.0);
+  return distance(p, a + s * ab);
+}
+
 double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);

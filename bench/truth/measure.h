@@ -54,6 +54,11 @@ double total_mean_curvature(const Mesh& mesh);  // sum over edges of length * |p
 std::size_t components(const Mesh& mesh);       // by shared vertices
 long euler(const Mesh& mesh);                   // V - E + F, over the vertices that are used
 
+// The numbers of all triangles, for a BoxTree of them.
+std::vector<Index> all_triangles(const Mesh& mesh);
+
+// a and b must differ.
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b);
 // Distance to a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c);
 // Distance to the nearest triangle by trying all of them.

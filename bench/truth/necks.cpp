@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "base/vec.h"
@@ -21,18 +20,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double chords = 3;  // of the ball tried: as of clearance, to which flatter bars are walls
 constexpr double tip = 3;     // the same shape in a ball so much larger is no tip
 
-std::vector<Index> all_of(std::size_t n) {
-  std::vector<Index> indices(n);
-  std::iota(indices.begin(), indices.end(), Index{0});
-  return indices;
-}
-
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 ab = b - a;
-  const double s = std::clamp(dot(p - a, ab) / squared_length(ab), 0.0, 1.0);
-  return distance(p, a + s * ab);
-}
-
 // The part of the surface inside a ball that is joined to its middle.
 class BallPart {
  public:
@@ -40,8 +27,8 @@ class BallPart {
       : mesh_(mesh),
         edges_(edges(mesh)),
         edges_of_(mesh.triangles.size()),
-        tree_(mesh.vertices, mesh.triangles, all_of(mesh.triangles.size()),
-              measuring_frame(mesh.vertices), 1),
+        tree_(mesh.vertices, mesh.triangles, all_triangles(mesh), measuring_frame(mesh.vertices),
+              1),
         joined_(mesh.triangles.size(), false) {
     std::vector<std::size_t> count(mesh.triangles.size(), 0);
     for (Index e = 0; e < edges_.size(); ++e)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include "base/vec.h"
@@ -14,19 +13,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::vector<Index> all_of(std::size_t n) {
-  std::vector<Index> indices(n);
-  std::iota(indices.begin(), indices.end(), Index{0});
-  return indices;
-}
-
 }  // namespace
 
 RayCaster::RayCaster(const Mesh& mesh)
     : mesh_(mesh),
       diagonal_(bounds_of(mesh.vertices).diagonal()),
-      tree_(mesh.vertices, mesh.triangles, all_of(mesh.triangles.size()),
-            measuring_frame(mesh.vertices), 1) {}
+      tree_(mesh.vertices, mesh.triangles, all_triangles(mesh), measuring_frame(mesh.vertices), 1) {
+}
 
 Hit RayCaster::first_hit(Vec3 from, Vec3 direction, double limit) const {
   double begin = 1e-6 * diagonal_, end = 0.02 * diagonal_;

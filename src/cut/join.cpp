@@ -44,7 +44,7 @@ using Normals = std::vector<std::vector<Vec3>>;  // per point
 // The normals of the facets that stay, at each of their corners; at the rim of a cap, those of the
 // neighbours of its points, since the facets there may belong to the cap.
 Normals normals_round(const CutSurface& s, const Flags& cap, const Flags& loose) {
-  Normals own(s.first.size() - 1);
+  Normals own(s.points);
   for (std::size_t k = 0; k < s.facets.size(); ++k)
     if (!loose[k])
       for (Index v : s.facets[k].corners) own[v].push_back(s.facets[k].normal);

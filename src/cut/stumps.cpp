@@ -135,14 +135,11 @@ CutSurface cut_surface_of(const TetMesh& mesh, const std::vector<double>& spacin
       s.facets.push_back({t, i, c, (twice > 0 ? 1 / twice : 0) * n, 0.5 * twice / (h * h), reach});
     }
   }
-  s.first.assign(mesh.points.size() + 1, 0);
-  for (const CutSurface::Facet& f : s.facets)
-    for (Index v : f.corners) ++s.first[v + 1];
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) s.first[v + 1] += s.first[v];
-  s.at.resize(3 * s.facets.size());
-  std::vector<std::size_t> next(s.first.begin(), s.first.end() - 1);
-  for (std::size_t k = 0; k < s.facets.size(); ++k)
-    for (Index v : s.facets[k].corners) s.at[next[v]++] = k;
+  s.points = mesh.points.size();
+  std::vector<Triangle> corners;
+  corners.reserve(s.facets.size());
+  for (const CutSurface::Facet& f : s.facets) corners.push_back(f.corners);
+  s.stars = FacetStars(s.points, corners);
   return s;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/job.h"
 #include "seed/seeds.h"
+#include "tetra/facet_stars.h"
 #include "tetra/tet_mesh.h"
 
 namespace arris {
@@ -24,11 +25,10 @@ struct CutSurface {
     double reach;  // largest distance of one of its points to a corner, in units of spacing
   };
   std::vector<Facet> facets;
-  std::vector<std::size_t> first, at;  // facets at point v: at[first[v] .. first[v + 1])
+  std::size_t points = 0;
+  FacetStars stars;
 
-  std::span<const std::size_t> round(Index v) const {
-    return {at.data() + first[v], at.data() + first[v + 1]};
-  }
+  std::span<const Index> round(Index v) const { return stars[v]; }
 };
 CutSurface cut_surface_of(const TetMesh& mesh, const std::vector<double>& spacing,
                           const Labels& labels);

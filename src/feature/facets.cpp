@@ -57,6 +57,12 @@ FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& p
   });
 }
 
+double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v) {
+  const std::size_t i = facet[0] == v ? 0 : facet[1] == v ? 1 : 2;
+  const Vec3 a = points[facet[(i + 1) % 3]] - points[v], b = points[facet[(i + 2) % 3]] - points[v];
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
 void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
   out.clear();
   for (Index f : mesh.star(v)) out.push_back(next_corner(mesh.facets[f], v));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "arris/types.h"
-#include "feature/facet_stars.h"
+#include "tetra/facet_stars.h"
 
 namespace arris {
 
@@ -23,6 +23,9 @@ struct FacetMesh {
 
   std::span<const Index> star(Index v) const noexcept { return stars[v]; }
 };
+
+// The angle of a facet at its corner v, in radians.
+double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v);
 
 // The points that share a facet with v, ascending. O(degree).
 void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);

@@ -114,12 +114,7 @@ bool PatchGrower::is_large(const Patch& patch) const {
   double sector = 0;
   for (Index f : patch.facets) {
     const Triangle& t = mesh_.facets[f];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (t[i] != centre) continue;
-      const Vec3 a = points_[t[(i + 1) % 3]] - points_[centre];
-      const Vec3 b = points_[t[(i + 2) % 3]] - points_[centre];
-      sector += std::atan2(length(cross(a, b)), dot(a, b));
-    }
+    if (std::find(t.begin(), t.end(), centre) != t.end()) sector += angle_at(points_, t, centre);
   }
   return sector >= least_sector;
 }

@@ -29,12 +29,6 @@ double falloff(Vec3 difference, double width) {
   return std::exp(-squared_length(difference) / (2 * width * width));
 }
 
-double angle_at(const std::vector<Vec3>& points, const Triangle& t, Index v) {
-  const std::size_t i = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-  const Vec3 a = points[t[(i + 1) % 3]] - points[v], b = points[t[(i + 2) % 3]] - points[v];
-  return std::atan2(length(cross(a, b)), dot(a, b));
-}
-
 // What is known of the piece a sample is on.
 struct Piece {
   Vec3 normal;       // zero if none

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
-#include "feature/facet_stars.h"
+#include "tetra/facet_stars.h"
 
 namespace arris {
 namespace {

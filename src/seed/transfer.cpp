@@ -10,11 +10,6 @@
 namespace arris {
 namespace {
 
-Circumball ball_of(const TetMesh& mesh, Tet t) {
-  const auto& v = mesh.vertices[t];
-  return circumball(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-}
-
 // Per tetrahedron the labels of the places (bit l for label l) where those of its corners lie that
 // were added, or those of the tetrahedron beyond a facet. `place`: the labels of the added points.
 std::vector<std::uint8_t> places_round(const TetMesh& fine, const std::vector<std::uint8_t>& place,
@@ -106,7 +101,7 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     // A point that lies outside was added to win what is outside round it: that must not vote
     // against it, and likewise inside.
     result.hint[t] = sliver || (places[t] >> label & 1) != 0;
-    result.firm[t] = !bridge && !sliver && ball_of(fine, t).radius > firm_radius * h;
+    result.firm[t] = !bridge && !sliver && circumball(fine, t).radius > firm_radius * h;
   });
   return result;
 }

@@ -112,13 +112,15 @@ Circumball circumball(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   return {a + from_a, length(from_a)};
 }
 
+Circumball circumball(const TetMesh& mesh, Tet t) {
+  const auto& v = mesh.vertices[t];
+  return circumball(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
+}
+
 std::vector<Circumball> circumballs(const TetMesh& mesh, unsigned threads) {
   std::vector<Circumball> balls(mesh.finite);
-  parallel_for(mesh.finite, threads, [&](std::size_t t) {
-    const auto& v = mesh.vertices[t];
-    balls[t] =
-        circumball(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], mesh.points[v[3]]);
-  });
+  parallel_for(mesh.finite, threads,
+               [&](std::size_t t) { balls[t] = circumball(mesh, static_cast<Tet>(t)); });
   return balls;
 }
 

@@ -16,6 +16,7 @@ struct Circumball {
   double radius = 0;
 };
 Circumball circumball(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+Circumball circumball(const TetMesh& mesh, Tet t);  // t finite
 
 // One per finite tetrahedron.
 std::vector<Circumball> circumballs(const TetMesh& mesh, unsigned threads);

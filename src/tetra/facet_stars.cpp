@@ -1,4 +1,4 @@
-#include "feature/facet_stars.h"
+#include "tetra/facet_stars.h"
 
 namespace arris {
 
