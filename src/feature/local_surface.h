@@ -16,6 +16,7 @@ struct LocalSurface {
   Vec3 u, v, n;  // orthonormal; n outward
   std::array<double, 6> c{};
 
+  bool is_plane() const noexcept { return c[3] == 0 && c[4] == 0 && c[5] == 0; }
   // Signed distance to first order: positive outside.
   double distance(Vec3 p) const noexcept {
     const Foot f = foot(p);
