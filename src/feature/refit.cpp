@@ -1,6 +1,8 @@
 #include "feature/refit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -31,14 +33,20 @@ std::vector<PatchFit> fit_pieces(const NoisySamples& samples, const FacetMesh& m
   parallel_chunks(fits.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
     PieceWalk walk(mesh, pieces);
+    std::vector<std::pair<double, Index>> near;
+    std::vector<Vec3> local;
     for (std::size_t k = begin; k < end; ++k) {
       const auto v = static_cast<Index>(k * patch_stride);
       if (!has_piece(samples, pieces, v)) continue;
       const Frame frame = frame_at(points[v], pieces[v].normal);
-      std::vector<Vec3> local;
+      near.clear();
       for (Index w : walk.from(v, points, reach * samples.spacing[v]))
-        if (samples.level[w] > 0) local.push_back(frame.to_frame(samples.measured[w]));
-      fits[k] = fit_patch(std::move(local), frame, samples.level[v]);
+        if (samples.level[w] > 0) near.emplace_back(distance(points[w], points[v]), w);
+      // By where they are now: by where they were measured those off the surface would come last.
+      std::sort(near.begin(), near.end());
+      local.clear();
+      for (const auto& [far, w] : near) local.push_back(frame.to_frame(samples.measured[w]));
+      fits[k] = fit_patch(local, frame, samples.level[v]);
     }
   });
   return fits;

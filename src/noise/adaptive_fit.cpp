@@ -230,9 +230,7 @@ bool PatchFit::covers(Vec3 local) const noexcept {
   return squared_length(local) <= reached * reached;
 }
 
-PatchFit fit_patch(std::vector<Vec3> local, const Frame& frame, double level) {
-  std::stable_sort(local.begin(), local.end(),
-                   [](Vec3 a, Vec3 b) { return squared_length(a) < squared_length(b); });
+PatchFit fit_patch(const std::vector<Vec3>& local, const Frame& frame, double level) {
   const std::size_t start = starting_size(local, {}, level);
   if (start < smallest_patch) return {};
   return grow(local, frame, level, start, true);

@@ -36,9 +36,9 @@ struct PatchFit {
 inline constexpr std::size_t patch_stride = 3;
 
 // The patch round the origin of `frame`, which stands on the normal, among samples that are known
-// to lie on one side of every feature: `local`, in the frame, in any order. `level` > 0. Planes
+// to lie on one side of every feature: `local`, in the frame, nearest first. `level` > 0. Planes
 // must be straight here. O(n log n).
-PatchFit fit_patch(std::vector<Vec3> local, const Frame& frame, double level);
+PatchFit fit_patch(const std::vector<Vec3>& local, const Frame& frame, double level);
 
 // The fits at every patch_stride-th point, from the first, whose level is positive; the others have
 // none. Complexity: O(n log n); at most a few hundred samples a patch.
