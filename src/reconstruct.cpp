@@ -50,6 +50,9 @@ constexpr double left_of_noise = 0.25, left_when_settled = 0.05;
 // samples settle better on the second.
 constexpr double shallow_noise = 0.1, deep_noise = 0.25;
 
+// Corners are sensed better once their edges are there.
+constexpr int feature_rounds = 2;
+
 // A spike can hide another, rarely a third.
 constexpr int most_spike_rounds = 2;
 
@@ -125,9 +128,8 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
 // Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
 // and the surface is cut anew round them, until there is nothing to add. The rounds between the
 // first and the last surface go without swaps.
-void sharpen(const Samples& samples, const Options& options, const Shares& shares, Stage& stage,
-             Labels& labels, Report& report, Job& job) {
-  constexpr int rounds = 2;
+void sharpen(const Samples& samples, const Options& options, int rounds, const Shares& shares,
+             Stage& stage, Labels& labels, Report& report, Job& job) {
   std::vector<FeaturePoint> features;
   for (int round = 1; round <= rounds; ++round) {
     job.stage("features " + std::to_string(round), shares.features / rounds);
@@ -232,11 +234,12 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   }
   finish_first(samples, options, shares.swap, stage, labels, report, job);
   if (has_noise) settle_first(noisy, options, samples, stage, labels, report, job);
-  if (options.sharpen) sharpen(samples, options, shares, stage, labels, report, job);
   if (options.sharpen && has_noise) {  // known edges let samples settle better, and these the edges
+    sharpen(samples, options, 1, not_foreseen, stage, labels, report, job);
     settle_again(noisy, Settling::patches, options, samples, stage, labels, report, job);
-    sharpen(samples, options, not_foreseen, stage, labels, report, job);
   }
+  if (options.sharpen)
+    sharpen(samples, options, feature_rounds, shares, stage, labels, report, job);
   if (options.refine) {
     job.stage("refine", shares.refine);
     report.refine_points = refine_surface(samples, stage, labels, report, job);
