@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 #include "feature/facets.h"
+#include "feature/refit.h"
 #include "feature/settle.h"
 #include "noise/denoise.h"
 #include "surface/extract.h"
@@ -28,8 +29,8 @@ Noise remove_noise(const PointCloud& cloud, const Options& options, Samples& sam
 }
 
 void settle(const PointCloud& cloud, const Noise& noise, const Stage& stage, const Labels& labels,
-            Samples& samples, Job& job) {
-  const std::vector<Vec3>& before = stage.mesh.points;  // background points stay where they are
+            Settling how, Samples& samples, Job& job) {
+  const std::vector<Vec3>& before = stage.mesh.points;  // no others than the samples move
   std::vector<Vec3> measured = before;
   std::vector<double> level(before.size(), 0), backing(before.size(), 0);
   for (std::size_t k = 0; k < samples.source.size(); ++k) {
@@ -38,8 +39,9 @@ void settle(const PointCloud& cloud, const Noise& noise, const Stage& stage, con
     backing[k] = noise.backing[samples.source[k]];
   }
   const FacetMesh mesh(boundary_triangles(stage.mesh, labels), before, job.threads());
+  const NoisySamples noisy{before, measured, backing, level, stage.model.spacing};
   std::vector<Vec3> points =
-      settle_samples({before, measured, backing, level, stage.model.spacing}, mesh, job);
+      how == Settling::means ? settle_samples(noisy, mesh, job) : refit_samples(noisy, mesh, job);
   points.resize(samples.points.size());
   for (Vec3& p : points) p = samples.frame.to_local(samples.frame.to_user(p));  // exact
   replace_points(points, samples);

@@ -1,6 +1,7 @@
 // The steps of the pipeline that move noisy samples.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "arris/reconstruct.h"
@@ -21,8 +22,12 @@ struct Noise {
 Noise remove_noise(const PointCloud& cloud, const Options& options, Samples& samples,
                    Report& report, Job& job);
 
-// Moves noisy samples onto the smooth pieces of the surface of `labels` (feature/settle.h).
+// By means (feature/settle.h) on a rough surface, on patches (feature/refit.h) on one that shows
+// its pieces clearly.
+enum class Settling : std::uint8_t { means, patches };
+
+// Moves noisy samples onto the smooth pieces of the surface of `labels`.
 void settle(const PointCloud& cloud, const Noise& noise, const Stage& stage, const Labels& labels,
-            Samples& samples, Job& job);
+            Settling how, Samples& samples, Job& job);
 
 }  // namespace arris

@@ -38,16 +38,20 @@ struct Shares {
 constexpr Shares automatic_shares = {0.01, 0.03, 0.04, 0.07, 0.04, 0, 0.04, 0.11, 0.48, 0, 0.07};
 constexpr Shares refine_shares = {0.01, 0.02, 0.02, 0.04, 0.02, 0, 0.02, 0.06, 0.28, 0.43, 0.04};
 constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0, 0.03};
+constexpr Shares not_foreseen = {};  // of what is done once more
 
 // The share of the noise that moving the samples leaves in them, measured on flat and curved
 // shapes; and that by which settled samples are off the smooth surface that their neighbours agree
 // on: wider tolerances would let patches creep round edges of 40 degrees.
 constexpr double left_of_noise = 0.25, left_when_settled = 0.05;
 
-// In units of spacing: noise of less than this leaves a first surface so smooth that settling would
-// only blunt its edges, noise of more than that one so rough that samples settle better on the
-// second.
+// In units of spacing: noise of less than this leaves a first surface so smooth that settling
+// before the edges are known would only blunt them, noise of more than that one so rough that
+// samples settle better on the second.
 constexpr double shallow_noise = 0.1, deep_noise = 0.25;
+
+// Corners are sensed better once their edges are there.
+constexpr int feature_rounds = 2;
 
 // A spike can hide another, rarely a third.
 constexpr int most_spike_rounds = 2;
@@ -124,12 +128,11 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
 // Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
 // and the surface is cut anew round them, until there is nothing to add. The rounds between the
 // first and the last surface go without swaps.
-void sharpen(Stage& stage, const Samples& samples, double share, Labels& labels, Report& report,
-             Job& job) {
-  constexpr int rounds = 2;
+void sharpen(const Samples& samples, const Options& options, int rounds, const Shares& shares,
+             Stage& stage, Labels& labels, Report& report, Job& job) {
   std::vector<FeaturePoint> features;
   for (int round = 1; round <= rounds; ++round) {
-    job.stage("features " + std::to_string(round), share / rounds);
+    job.stage("features " + std::to_string(round), shares.features / rounds);
     Stage next = add_features(stage, labels, samples, features, job);
     if (next.mesh.points.empty()) break;
     stage = std::move(next);
@@ -138,6 +141,8 @@ void sharpen(Stage& stage, const Samples& samples, double share, Labels& labels,
     labels = std::move(cut.labels);
   }
   report.feature_points = features.size();
+  job.stage("swap again", shares.swap);
+  if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);
 }
 
 void require_inside(const Labels& labels) {
@@ -155,23 +160,34 @@ void finish_first(const Samples& samples, const Options& options, double share, 
   if (options.swap) run_swaps(stage, labels, report, job);
 }
 
-// Settles the samples on their surface and makes a new one, again where the noise is deep.
-void settle_noise(const PointCloud& cloud, const Noise& noise, const Options& options,
-                  Samples& samples, Stage& stage, Labels& labels, Report& report, Job& job) {
-  const double level = report.noise_median * samples.frame.scale;
+struct NoisyCloud {
+  const PointCloud& cloud;
+  Noise noise;
+  double level = 0;  // its median, in the local frame
+};
+
+// Settles the samples on their surface and makes a new one.
+void settle_again(const NoisyCloud& data, Settling how, const Options& options, Samples& samples,
+                  Stage& stage, Labels& labels, Report& report, Job& job) {
+  job.stage("settle", 0);
+  settle(data.cloud, data.noise, stage, labels, how, samples, job);
+  stage = make_stage(samples, options, not_foreseen, report, job);
+  labels = iterate_cuts(stage, options.cycles, not_foreseen.cut, report, job);
+  finish_first(samples, options, not_foreseen.swap, stage, labels, report, job);
+  stage.roughness = left_when_settled * data.level;
+}
+
+// Before the features are known: once, or twice where the noise is deep, or not at all.
+void settle_first(const NoisyCloud& data, const Options& options, Samples& samples, Stage& stage,
+                  Labels& labels, Report& report, Job& job) {
   std::vector<double> spacing = stage.model.spacing;
   const auto middle = spacing.begin() + static_cast<std::ptrdiff_t>(spacing.size() / 2);
   std::nth_element(spacing.begin(), middle, spacing.end());
-  const int rounds = level < shallow_noise * *middle ? 0 : level > deep_noise * *middle ? 2 : 1;
-  constexpr Shares shares = {};  // not foreseen
-  for (int round = 0; round < rounds; ++round) {
-    job.stage("settle", 0);  // not foreseen
-    settle(cloud, noise, stage, labels, samples, job);
-    stage = make_stage(samples, options, shares, report, job);
-    labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
-    finish_first(samples, options, shares.swap, stage, labels, report, job);
-  }
-  stage.roughness = (rounds == 0 ? left_of_noise : left_when_settled) * level;
+  stage.roughness = left_of_noise * data.level;
+  if (data.level < shallow_noise * *middle) return;
+  const bool deep = data.level > deep_noise * *middle;
+  settle_again(data, Settling::means, options, samples, stage, labels, report, job);
+  if (deep) settle_again(data, Settling::patches, options, samples, stage, labels, report, job);
 }
 
 void require_attributes(const PointCloud& cloud) {
@@ -200,29 +216,30 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     job.stage("outliers", shares.outliers);
     report.stray_outliers = drop_samples(samples, find_outliers(samples.points, job));
   }
-  Noise noise;
+  NoisyCloud noisy{cloud, {}, 0};
   if (options.noise != 0) {
     job.stage("noise", shares.noise);
-    noise = remove_noise(cloud, options, samples, report, job);
+    noisy.noise = remove_noise(cloud, options, samples, report, job);
+    noisy.level = report.noise_median * samples.frame.scale;
   }
+  const bool has_noise = !noisy.noise.level.empty();
   Stage stage = make_stage(samples, options, shares, report, job);
   Labels labels = iterate_cuts(stage, options.cycles, shares.cut, report, job);
   for (int round = 0; options.outliers == Outliers::drop && round < most_spike_rounds; ++round) {
     const std::uint64_t dropped = drop_spikes(stage, labels, samples, job);
     if (dropped == 0) break;
     report.surface_outliers += dropped;
-    constexpr Shares again = {};  // not foreseen
-    stage = make_stage(samples, options, again, report, job);
-    labels = iterate_cuts(stage, options.cycles, again.cut, report, job);
+    stage = make_stage(samples, options, not_foreseen, report, job);
+    labels = iterate_cuts(stage, options.cycles, not_foreseen.cut, report, job);
   }
   finish_first(samples, options, shares.swap, stage, labels, report, job);
-  if (!noise.level.empty())
-    settle_noise(cloud, noise, options, samples, stage, labels, report, job);
-  if (options.sharpen) {
-    sharpen(stage, samples, shares.features, labels, report, job);
-    job.stage("swap again", shares.swap);
-    if (options.swap && report.feature_points > 0) run_swaps(stage, labels, report, job);
+  if (has_noise) settle_first(noisy, options, samples, stage, labels, report, job);
+  if (options.sharpen && has_noise) {  // known edges let samples settle better, and these the edges
+    sharpen(samples, options, 1, not_foreseen, stage, labels, report, job);
+    settle_again(noisy, Settling::patches, options, samples, stage, labels, report, job);
   }
+  if (options.sharpen)
+    sharpen(samples, options, feature_rounds, shares, stage, labels, report, job);
   if (options.refine) {
     job.stage("refine", shares.refine);
     report.refine_points = refine_surface(samples, stage, labels, report, job);

@@ -30,13 +30,39 @@ constexpr double tolerance = 3, level_slack = 1.1;
 // clearly more samples to be preferred.
 constexpr double quadric_gain = 1.5;
 
+// Where features are known (fit_patch), a plane ends where a quadric through the same samples would
+// explain so much more of them that chance does it once in twenty times: curvature shows there
+// first.
+constexpr double bend_tolerance = 2;
+
 // Residuals are compared with noise also in their means over parts of the patch: a middle and a
 // ring of sectors, where noise averages out and a bent surface shows.
 constexpr std::size_t cells = sectors + 1;
 constexpr double middle = 0.5;  // of the radius
 
-double limit(double freedom) {
-  return freedom + tolerance * std::sqrt(2 * freedom);
+double limit(double freedom, double deviations = tolerance) {
+  return freedom + deviations * std::sqrt(2 * freedom);
+}
+
+double noise_variance(double level) {
+  return level_slack * level_slack * level * level;
+}
+
+double sum_of_squares(const HeightFit& fit, const std::vector<Vec3>& local) {
+  double sum = 0;
+  for (Vec3 p : local) {
+    const double r = p.z - fit.height(p.x, p.y);
+    sum += r * r;
+  }
+  return sum;
+}
+
+// Does a quadric explain clearly more of the samples than this plane through them?
+bool bends(const HeightFit& plane, const std::vector<Vec3>& local, double level) {
+  const HeightFit quadric = fit_heights(plane.frame, local, plane.radius, quadric_terms);
+  if (quadric.terms == 0) return false;
+  const double gain = sum_of_squares(plane, local) - sum_of_squares(quadric, local);
+  return gain > noise_variance(level) * limit(quadric_terms - plane_terms, bend_tolerance);
 }
 
 // Are the residuals what noise of this level leaves?
@@ -51,8 +77,7 @@ bool explained(const HeightFit& fit, const std::vector<Vec3>& local, double leve
     sum[cell] += r;
     count[cell] += 1;
   }
-  const double variance = level_slack * level_slack * level * level;
-  const double n = static_cast<double>(local.size());
+  const double variance = noise_variance(level), n = static_cast<double>(local.size());
   if (squares > variance * limit(n - fit.terms)) return false;
   double means = 0, used = 0;
   for (std::size_t j = 0; j < cells; ++j)
@@ -69,8 +94,10 @@ constexpr double stretch = 1.5;
 // A patch of one model, plane or quadric, in growth.
 class Growth {
  public:
-  Growth(const std::vector<Vec3>& around, const Frame& frame, double level, int terms)
-      : around_(around), frame_(frame), level_(level), terms_(terms) {}
+  // `straight`: a plane may not bend.
+  Growth(const std::vector<Vec3>& around, const Frame& frame, double level, int terms,
+         bool straight)
+      : around_(around), frame_(frame), level_(level), terms_(terms), straight_(straight) {}
 
   // `around`: the samples nearest first; `start` of them are the smallest patch.
   PatchFit grow(std::size_t start) {
@@ -102,6 +129,7 @@ class Growth {
   bool refit(double radius) {
     HeightFit fit = fit_heights(frame_, taken_, radius, terms_);
     if (fit.terms == 0 || !explained(fit, taken_, level_)) return false;
+    if (straight_ && terms_ == plane_terms && bends(fit, taken_, level_)) return false;
     best_.fit = fit;
     best_.count = static_cast<Index>(taken_.size());
     return true;
@@ -127,7 +155,7 @@ class Growth {
       variance[j] += v;
       count[j] += 1;
     });
-    const double noise = level_slack * level_slack * level_ * level_;
+    const double noise = noise_variance(level_);
     bool any = false;
     for (std::size_t j = 0; j < sectors; ++j) {
       const double n = count[j];
@@ -149,6 +177,7 @@ class Growth {
   Frame frame_;
   double level_;
   int terms_;
+  bool straight_;
   std::vector<Vec3> taken_;
   PatchFit best_;
 };
@@ -160,27 +189,33 @@ std::size_t patch_limit(double level, double spacing) {
       std::clamp(needed * needed, 4.0 * smallest_patch, static_cast<double>(largest_patch)));
 }
 
-// The samples near enough to tell the normal at the first of them from: ten, or as many as it takes
-// to be wider than the noise.
-std::size_t starting_size(const std::vector<NearestSample::Hit>& hits, double level) {
-  std::size_t n = std::min(smallest_patch, hits.size());
-  while (n < hits.size() && hits[n - 1].distance < least_radius * level) ++n;
+// The samples near enough to tell the normal at the centre from: ten, or as many as it takes to be
+// wider than the noise.
+std::size_t starting_size(const std::vector<Vec3>& around, Vec3 centre, double level) {
+  std::size_t n = std::min(smallest_patch, around.size());
+  while (n < around.size() && distance(around[n - 1], centre) < least_radius * level) ++n;
   return n;
 }
 
-PatchFit fit_patch(const std::vector<Vec3>& points, Vec3 centre, double level,
+// `around`: in the frame, nearest first.
+PatchFit grow(const std::vector<Vec3>& around, const Frame& frame, double level, std::size_t start,
+              bool straight) {
+  const PatchFit plane = Growth(around, frame, level, plane_terms, straight).grow(start);
+  const PatchFit quadric = Growth(around, frame, level, quadric_terms, straight).grow(start);
+  return quadric.count > quadric_gain * plane.count ? quadric : plane;
+}
+
+PatchFit fit_cloud(const std::vector<Vec3>& points, Vec3 centre, double level,
                    const std::vector<NearestSample::Hit>& hits) {
-  const std::size_t start = starting_size(hits, level);
-  if (start < smallest_patch) return {};
   std::vector<Vec3> around;
   for (const auto& h : hits) around.push_back(points[h.index]);
+  const std::size_t start = starting_size(around, centre, level);
+  if (start < smallest_patch) return {};
   const std::vector<Vec3> nearest(around.begin(),
                                   around.begin() + static_cast<std::ptrdiff_t>(start));
   const Frame frame = frame_at(centre, least_variance_direction(nearest));
   for (Vec3& p : around) p = frame.to_frame(p);
-  const PatchFit plane = Growth(around, frame, level, plane_terms).grow(start);
-  const PatchFit quadric = Growth(around, frame, level, quadric_terms).grow(start);
-  return quadric.count > quadric_gain * plane.count ? quadric : plane;
+  return grow(around, frame, level, start, false);
 }
 
 }  // namespace
@@ -195,6 +230,12 @@ bool PatchFit::covers(Vec3 local) const noexcept {
   return squared_length(local) <= reached * reached;
 }
 
+PatchFit fit_patch(const std::vector<Vec3>& local, const Frame& frame, double level) {
+  const std::size_t start = starting_size(local, {}, level);
+  if (start < smallest_patch) return {};
+  return grow(local, frame, level, start, true);
+}
+
 std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const NearestSample& tree,
                                   const std::vector<double>& level, Job& job) {
   std::vector<PatchFit> fits((points.size() + patch_stride - 1) / patch_stride);
@@ -205,7 +246,7 @@ std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const Nearest
       if (!(level[i] > 0)) continue;
       tree.nearest(points[i], spacing_rank, hits);
       tree.nearest(points[i], patch_limit(level[i], hits.back().distance), hits);
-      fits[k] = fit_patch(points, points[i], level[i], hits);
+      fits[k] = fit_cloud(points, points[i], level[i], hits);
     }
   });
   return fits;

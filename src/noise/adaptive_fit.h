@@ -35,6 +35,11 @@ struct PatchFit {
 // more say little more.
 inline constexpr std::size_t patch_stride = 3;
 
+// The patch round the origin of `frame`, which stands on the normal, among samples that are known
+// to lie on one side of every feature: `local`, in the frame, nearest first. `level` > 0. Planes
+// must be straight here. O(n log n).
+PatchFit fit_patch(const std::vector<Vec3>& local, const Frame& frame, double level);
+
 // The fits at every patch_stride-th point, from the first, whose level is positive; the others have
 // none. Complexity: O(n log n); at most a few hundred samples a patch.
 std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const NearestSample& tree,

@@ -49,7 +49,7 @@ struct Piece {
 
 void find_candidates(const std::vector<Vec3>& points, Index at, double level,
                      const std::vector<PatchFit>& fits, const std::vector<NearestSample::Hit>& hits,
-                     std::vector<Candidate>& found) {
+                     const MayBear& may_bear, std::vector<Candidate>& found) {
   found.clear();
   for (const auto& hit : hits) {
     const PatchFit& patch = fits[hit.index];
@@ -59,6 +59,7 @@ void find_candidates(const std::vector<Vec3>& points, Index at, double level,
     const HeightFit::Offset offset = patch.fit.offset(points[at]);
     const double variance = patch.fit.variance(local.x, local.y);
     if (std::abs(offset.distance) > gate * level * std::sqrt(1 + variance)) continue;
+    if (may_bear && !may_bear(at, patch, offset.normal)) continue;
     found.push_back({offset.distance, offset.normal, 1 / variance, patch.fit.frame.origin});
   }
 }
@@ -164,7 +165,7 @@ Landing land(std::vector<Piece> pieces, Vec3 p, double level) {
 }  // namespace
 
 Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
-                           const std::vector<PatchFit>& fits, Job& job) {
+                           const std::vector<PatchFit>& fits, Job& job, const MayBear& may_bear) {
   Projection result{points, std::vector<double>(points.size(), 0)};
   std::vector<Vec3> middles;
   for (std::size_t i = 0; i < points.size(); i += patch_stride) middles.push_back(points[i]);
@@ -175,7 +176,7 @@ Projection project_samples(const std::vector<Vec3>& points, const std::vector<do
     for (std::size_t i = begin; i < end; ++i) {
       if (!(level[i] > 0)) continue;
       tree.nearest(points[i], most_candidates, hits);
-      find_candidates(points, static_cast<Index>(i), level[i], fits, hits, candidates);
+      find_candidates(points, static_cast<Index>(i), level[i], fits, hits, may_bear, candidates);
       if (candidates.empty()) continue;
       const Landing landing = land(find_pieces(candidates), points[i], level[i]);
       result.points[i] = landing.point;

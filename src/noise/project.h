@@ -6,6 +6,7 @@
 // to whichever piece really extends to it, or to the edge or corner where they meet.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "arris/types.h"
@@ -19,8 +20,13 @@ struct Projection {
   std::vector<double> backing;  // samples that a new place is the mean of, as its variance has it
 };
 
-// `fits` as fit_patches gave them. Complexity: O(n log n).
+// Whether a patch, which has that normal at point i, may say where it goes.
+using MayBear = std::function<bool(Index i, const PatchFit& patch, Vec3 normal)>;
+
+// `fits`: of every patch_stride-th point, from the first. Without `may_bear` every patch may.
+// Complexity: O(n log n).
 Projection project_samples(const std::vector<Vec3>& points, const std::vector<double>& level,
-                           const std::vector<PatchFit>& fits, Job& job);
+                           const std::vector<PatchFit>& fits, Job& job,
+                           const MayBear& may_bear = {});
 
 }  // namespace arris

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "feature/refit.h"
 #include "feature/sensing.h"
 #include "feature/settle.h"
 
@@ -30,6 +31,11 @@ struct RoughSurface {
   std::vector<Vec3> settled(unsigned threads = 1) const {
     OneStageJob job(threads);
     return settle_samples({points, points, backing, level, spacing}, facets, job);
+  }
+
+  std::vector<Vec3> refitted(unsigned threads = 1) const {
+    OneStageJob job(threads);
+    return refit_samples({points, points, backing, level, spacing}, facets, job);
   }
 
   Vec3 middle(std::size_t facet) const {
