@@ -8,6 +8,7 @@
 #include "cut/join.h"
 #include "cut/manifold.h"
 #include "cut/specks.h"
+#include "feature/extend.h"
 #include "feature/insert.h"
 #include "feature/sense.h"
 #include "seed/transfer.h"
@@ -164,6 +165,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   next.model.sides = sides_of(next.mesh.points, samples, sensed, features);
   next.seeds = follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, near,
                             next.model.spacing, far, job);
+  extend_across_gaps(next.mesh, features, known, next.seeds);
   next.settled = still_settled(stage.settled, extension.former, far);
   return next;
 }

@@ -28,6 +28,8 @@ struct LocalSurface {
     return (1 / length(g)) * g;
   }
 
+  bool is_plane() const noexcept { return c[3] == 0 && c[4] == 0 && c[5] == 0; }
+
  private:
   // p over the tangent plane, and the height field with its slope there.
   struct Foot {
