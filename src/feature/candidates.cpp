@@ -113,8 +113,7 @@ struct Place {
 Place place_at(const Crossing& c, const Triangle& t) {
   const auto x = [&](std::size_t i) { return c.points[t[i]]; };
   const double h = (c.spacing[t[0]] + c.spacing[t[1]] + c.spacing[t[2]]) / 3;
-  const double side =
-      std::max({distance(x(0), x(1)), distance(x(1), x(2)), distance(x(2), x(0))});
+  const double side = std::max({distance(x(0), x(1)), distance(x(1), x(2)), distance(x(2), x(0))});
   const double reach = corner_reach * h;
   const double far = side > gap_length * h ? std::max(reach, gap_reach * side) : reach;
   return {1.0 / 3 * (x(0) + x(1) + x(2)), h, reach, far};

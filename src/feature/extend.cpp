@@ -1,7 +1,7 @@
 #include "feature/extend.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <array>
 #include <cmath>
 
 #include "base/vec.h"
@@ -61,8 +61,6 @@ void extend_across_gaps(const TetMesh& mesh, const std::vector<FeaturePoint>& fe
     if (in == 0 && out == 0) continue;
     seeds.label[t] = out == 0 ? seed_inside : in == 0 ? seed_outside : seed_free;
     seeds.hint[t] = 0;
-    static const bool soft = std::getenv("SOFT");
-    seeds.firm[t] = !soft && seeds.label[t] != seed_free;
   }
 }
 

@@ -9,10 +9,10 @@
 
 namespace arris {
 
-// `added`: the feature points that are the last points of the mesh. At those that lie across a gap
-// (FeaturePoint::gap), a tetrahedron whose corners all lie on the planes there fills the corner that
-// they make: it is inside behind convex planes, outside before concave ones. What else there is at
-// such a point is left to the cut: the label that it had is only a hint. O(tetrahedra).
+// The points of `features` from number `known` on are the last points of the mesh. At those across
+// a gap (FeaturePoint::gap) no tetrahedron is firm. One whose corners all lie on the planes there,
+// near the gap, fills what they enclose: it prefers to be inside if it is behind convex planes,
+// outside if it is before concave ones. Others keep their label as a hint. O(tetrahedra).
 void extend_across_gaps(const TetMesh& mesh, const std::vector<FeaturePoint>& features,
                         std::size_t known, Seeds& seeds);
 
