@@ -130,10 +130,20 @@ void sharpen(Stage& stage, const Samples& samples, double share, Labels& labels,
   std::vector<FeaturePoint> features;
   for (int round = 1; round <= rounds; ++round) {
     job.stage("features " + std::to_string(round), share / rounds);
-    Stage next = add_features(stage, labels, samples, features, job);
+    const std::size_t known = features.size();
+    const std::uint64_t flips = report.manifold_flips;
+    std::vector<FeaturePoint> refused;
+    Stage next;
+    SurfaceCut cut;
+    do {
+      features.resize(known);
+      report.manifold_flips = flips;
+      next = add_features(stage, labels, samples, refused, features, job);
+      if (next.mesh.points.empty()) break;
+      cut = cut_manifold(next, {}, report, job);
+    } while (refuse_features(stage, labels, next, cut.labels, features, known, refused));
     if (next.mesh.points.empty()) break;
     stage = std::move(next);
-    SurfaceCut cut = cut_manifold(stage, {}, report, job);
     report.cut_energy.push_back(cut.energy);
     labels = std::move(cut.labels);
   }
