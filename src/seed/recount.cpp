@@ -43,7 +43,7 @@ class Recount {
       if (tried[t]) continue;
       const int gain = grow(t);
       for (std::size_t k = 0; k < std::min(region_.size(), heart); ++k) tried[region_[k]] = 1;
-      if (gain >= least_gain && (is_firm() || is_clear(gain))) {
+      if (gain >= least_gain && is_pure() && (is_firm() || is_clear(gain))) {
         for (std::size_t k = 0; k < kept_; ++k)
           label_[region_[k]] = label_[region_[k]] == seed_inside ? seed_outside : seed_inside;
         turned += kept_;
@@ -158,6 +158,13 @@ class Recount {
       });
     }
     return best;
+  }
+
+  // What went wrong went to one side. Where two sheets taper to an edge regions of both labels win
+  // a lot, and chance decides.
+  bool is_pure() const {
+    return std::all_of(region_.begin(), region_.begin() + static_cast<std::ptrdiff_t>(kept_),
+                       [&](Tet t) { return label_[t] == label_[region_[0]]; });
   }
 
   bool is_firm() const {
