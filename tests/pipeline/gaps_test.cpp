@@ -117,7 +117,8 @@ TEST(Gaps, AConcaveEdgeThatNobodySawIsThere) {
   const Result<Reconstruction> r = reconstruct(cloud);
   ASSERT_TRUE(r) << said(r);
   expect_topology(*r, 1, 2);
-  EXPECT_NEAR(volume(r->mesh), 0.75, 2e-4);
+  const double film = 0.6 * 0.17 * 0.17 / 2;  // what a flat film over the edge would close off
+  EXPECT_NEAR(volume(r->mesh), 0.75, 0.25 * film);
 }
 
 }  // namespace
