@@ -88,19 +88,54 @@ void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candi
   }
 }
 
-// The distinct surfaces at the corners of a facet and of its neighbours.
-std::vector<Side> sides_round(const Crossing& c, Index f) {
+// A surface and the points near a facet that lie on it.
+struct Face {
+  Side side;
+  std::vector<Index> points;
+};
+
+void add_points(const Crossing& c, Index f, std::vector<Index>& points) {
+  for (Index v : c.mesh.facets[f])
+    if (std::find(points.begin(), points.end(), v) == points.end()) points.push_back(v);
+}
+
+// The distinct surfaces at the corners of a facet and of its neighbours, and the planes one ring
+// farther: quadrics do not hold there.
+std::vector<Face> faces_round(const Crossing& c, Index f) {
   std::vector<Index> near(c.mesh.facets[f].begin(), c.mesh.facets[f].end());
-  for (Index g : c.mesh.neighbours[f])
-    for (Index v : c.mesh.facets[g])
-      if (std::find(near.begin(), near.end(), v) == near.end()) near.push_back(v);
-  std::vector<Side> sides;
-  for (Index v : near)
-    for_sides(c, v, [&](const Side& s) {
-      if (std::none_of(sides.begin(), sides.end(), [&](const Side& k) { return c.agree(k, s); }))
-        sides.push_back(s);
+  for (Index g : c.mesh.neighbours[f]) add_points(c, g, near);
+  const std::size_t inner = near.size();
+  for (std::size_t k = 0; k < inner; ++k)
+    for (Index g : c.mesh.star(near[k])) add_points(c, g, near);
+  std::vector<Face> faces;
+  for (std::size_t k = 0; k < near.size(); ++k)
+    for_sides(c, near[k], [&](const Side& s) {
+      if (k >= inner && !s.surface->is_plane()) return;
+      const auto same = std::find_if(faces.begin(), faces.end(),
+                                     [&](const Face& face) { return c.agree(face.side, s); });
+      if (same == faces.end())
+        faces.push_back({s, {near[k]}});
+      else
+        same->points.push_back(near[k]);
     });
-  return sides;
+  return faces;
+}
+
+// Somewhere they bound an edge. Not everywhere: where a face goes round a corner by more than half
+// a turn, its points are on both sides of the others.
+bool bound_edge(const Crossing& c, const Face& a, const Face& b) {
+  for (Index u : a.points)
+    for (Index v : b.points)
+      if (c.turn({u, a.side.surface}, {v, b.side.surface}) != Turn::none) return true;
+  return false;
+}
+
+// The face as seen from its point nearest to x.
+Side nearest_side(const Crossing& c, const Face& face, Vec3 x) {
+  const auto nearer = [&](Index u, Index v) {
+    return squared_length(c.points[u] - x) < squared_length(c.points[v] - x);
+  };
+  return {*std::min_element(face.points.begin(), face.points.end(), nearer), face.side.surface};
 }
 
 // Where a corner is looked for: round the middle of a facet.
@@ -119,30 +154,31 @@ Place place_at(const Crossing& c, const Triangle& t) {
   return {1.0 / 3 * (x(0) + x(1) + x(2)), h, reach, far};
 }
 
-void try_corner(const Crossing& c, const std::array<Side, 3>& sides, const Place& place,
+void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, const Place& place,
                 std::vector<Candidate>& out) {
-  const auto x = meet(*sides[0].surface, *sides[1].surface, *sides[2].surface, place.middle);
-  const bool planes = all_planes({sides[0].surface, sides[1].surface, sides[2].surface});
-  const double reach = planes ? place.gap_reach : place.reach;
+  const LocalSurface &a = *faces[0]->side.surface, &b = *faces[1]->side.surface,
+                     &d = *faces[2]->side.surface;
+  const auto x = meet(a, b, d, place.middle);
+  const double reach = all_planes({&a, &b, &d}) ? place.gap_reach : place.reach;
   if (!x || distance(*x, place.middle) > reach) return;
+  std::array<Side, 3> sides;
   double far = 0;
   std::array<Turn, 3> turn;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Side &a = sides[i], &b = sides[(i + 1) % 3];
-    turn[i] = c.turn(a, b);
-    if (!is_sharp(*a.surface, *b.surface, *x) || turn[i] == Turn::none) return;
-    far = std::max(far, distance(c.points[a.point], *x));
+    const Face& next = *faces[(i + 1) % 3];
+    if (!is_sharp(*faces[i]->side.surface, *next.side.surface, *x)) return;
+    if (!bound_edge(c, *faces[i], next)) return;
+    sides[i] = nearest_side(c, *faces[i], *x);
+    far = std::max(far, distance(c.points[sides[i].point], *x));
   }
   // What was sensed at a neighbouring facet of the gap is farther by as much as a side.
   const bool across = far > place.reach;
   if (far > (reach > place.reach ? reach * (1 + 1 / gap_reach) : reach)) return;
-  out.push_back({{*x,
-                  place.h,
-                  true,
-                  sides[0].point,
-                  no_index,
-                  {*sides[0].surface, *sides[1].surface, *sides[2].surface}},
-                 far / place.h});
+  for (std::size_t i = 0; i < 3; ++i) {
+    turn[i] = c.turn(sides[i], sides[(i + 1) % 3]);
+    if (is_cut_off(c, sides[i], sides[(i + 1) % 3], *x)) return;
+  }
+  out.push_back({{*x, place.h, true, sides[0].point, no_index, {a, b, d}}, far / place.h});
   if (!across) return;
   out.back().point.gap = reach / gap_reach;
   if (turn[0] == turn[1] && turn[1] == turn[2]) out.back().point.turn = turn[0];
@@ -198,13 +234,13 @@ std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
     if (f % 65536 == 0) job.tick(0);
     const Triangle& t = c.mesh.facets[f];
     if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
-    const std::vector<Side> sides = sides_round(c, f);
-    if (sides.size() > most_sides) continue;
+    const std::vector<Face> faces = faces_round(c, f);
+    if (faces.size() > most_sides) continue;
     const Place place = place_at(c, t);
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      for (std::size_t j = i + 1; j < sides.size(); ++j)
-        for (std::size_t k = j + 1; k < sides.size(); ++k)
-          try_corner(c, {sides[i], sides[j], sides[k]}, place, found);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t j = i + 1; j < faces.size(); ++j)
+        for (std::size_t k = j + 1; k < faces.size(); ++k)
+          try_corner(c, {&faces[i], &faces[j], &faces[k]}, place, found);
   }
   rank_corners(found);
   return found;

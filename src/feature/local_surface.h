@@ -16,6 +16,7 @@ struct LocalSurface {
   Vec3 u, v, n;  // orthonormal; n outward
   std::array<double, 6> c{};
 
+  bool is_plane() const noexcept { return c[3] == 0 && c[4] == 0 && c[5] == 0; }
   // Signed distance to first order: positive outside.
   double distance(Vec3 p) const noexcept {
     const Foot f = foot(p);
@@ -27,8 +28,6 @@ struct LocalSurface {
     const Vec3 g = n - f.zx * u - f.zy * v;
     return (1 / length(g)) * g;
   }
-
-  bool is_plane() const noexcept { return c[3] == 0 && c[4] == 0 && c[5] == 0; }
 
  private:
   // p over the tangent plane, and the height field with its slope there.

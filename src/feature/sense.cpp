@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "feature/council.h"
 #include "feature/patch.h"
+#include "feature/small_planes.h"
 
 namespace arris {
 namespace {
@@ -80,6 +81,19 @@ class Senser {
   double roughness_;
 };
 
+// Adds the planes of small faces where no surface was settled.
+void find_small_planes(const std::vector<Vec3>& points, const FacetMesh& mesh,
+                       const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
+                       std::size_t samples, unsigned threads, Found& settled) {
+  std::vector<std::uint8_t> open(points.size(), 0);
+  for (std::size_t v = 0; v < samples; ++v) open[v] = wanted[v] && settled[v].empty();
+  parallel_chunks(samples, grain, threads, [&](std::size_t begin, std::size_t end) {
+    SmallPlanes small(points, mesh, spacing, open);
+    for (std::size_t v = begin; v < end; ++v)
+      if (open[v]) small.find(static_cast<Index>(v), settled[v]);
+  });
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points) {
@@ -108,6 +122,8 @@ Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) council.settle(static_cast<Index>(v), settled[v]);
   });
+  if (roughness == 0)
+    find_small_planes(points, mesh, spacing, wanted, open, job.threads(), settled);
   job.tick(1);
   Sensed sensed;
   sensed.first.assign(points.size() + 1, 0);

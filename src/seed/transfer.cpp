@@ -62,7 +62,8 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Tet>& former,
                    const std::vector<Index>& near, const std::vector<double>& spacing,
-                   const std::vector<std::uint8_t>& settled, Job& job) {
+                   const std::vector<std::uint8_t>& settled, const std::vector<Seed>& told,
+                   Job& job) {
   job.tick(0);
   const std::vector<Tet> star = star_seeds(coarse);
   Seeds result;
@@ -92,6 +93,11 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
     // is chance: it may only break ties, or a stack of them would fold the surface over a face.
     if (settled[t] || (sliver && former[t] != no_tet)) {
       result.label[t] = labels[former[t]];
+      result.firm[t] = 1;
+      return;
+    }
+    if (!sliver && told[t] != seed_free) {
+      result.label[t] = told[t];
       result.firm[t] = 1;
       return;
     }

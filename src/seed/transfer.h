@@ -21,10 +21,12 @@ Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& s
 // added point, and one facet beyond, the label that its place has in `coarse` is a hint unless it
 // is firm: the surface is expected to move there. Long flat tetrahedra are free; slivers that were
 // there before, and those that are `settled` (1, per tetrahedron of `fine`), keep their label.
-// `near`: for each added point one of `coarse` near it.
+// `told`: what else is known of each finite tetrahedron of `fine`, firmly unless it is a sliver;
+// seed_free for nothing. `near`: for each added point one of `coarse` near it.
 Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
                    const TetMesh& fine, const std::vector<Tet>& former,
                    const std::vector<Index>& near, const std::vector<double>& spacing,
-                   const std::vector<std::uint8_t>& settled, Job& job);
+                   const std::vector<std::uint8_t>& settled, const std::vector<Seed>& told,
+                   Job& job);
 
 }  // namespace arris

@@ -189,12 +189,12 @@ Found found_on(const Shape& shape) {
   return found;
 }
 
-// Measured: none off and all corners, but for the bracket: two points off by 0.003 h, ten corners.
+// Measured: none off and all corners, but for the bracket: two points off by 0.003 h.
 TEST(Insert, PointsLieOnTheEdgesOfPolyhedra) {
   const struct {
     const char* name;
     std::size_t corners;  // least
-  } cases[] = {{"cube", 8}, {"octahedron", 6}, {"hexagonal_prism", 12}, {"l_bracket", 10}};
+  } cases[] = {{"cube", 8}, {"octahedron", 6}, {"hexagonal_prism", 12}, {"l_bracket", 12}};
   for (const auto& [name, corners] : cases) {
     SCOPED_TRACE(name);
     const Found found = found_on(make_shape(name));
@@ -205,13 +205,13 @@ TEST(Insert, PointsLieOnTheEdgesOfPolyhedra) {
   }
 }
 
-// Where faces are six spacings wide and have concave edges, some points are wrong, and corners are
-// left to the next round. Measured: 7 of 1030 and 9 of 669 off, 18 of 40 and 15 of 20 corners.
+// Where faces are six spacings wide and have concave edges, some points may be wrong. All corners
+// but one of the two cubes are found, those with faces of three quarters of a turn among them.
 TEST(Insert, FewPointsLieOffTheEdgesOfNarrowFaces) {
   const struct {
     const char* name;
     std::size_t corners;
-  } cases[] = {{"perforated_cube", 16}, {"two_cubes", 13}};
+  } cases[] = {{"perforated_cube", 40}, {"two_cubes", 19}};
   for (const auto& [name, corners] : cases) {
     SCOPED_TRACE(name);
     const Found found = found_on(make_shape(name));

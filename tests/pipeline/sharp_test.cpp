@@ -87,14 +87,13 @@ TEST(Sharp, BoxesComeBackNearlyExactly) {
     }
 }
 
-// With concave edges. Measured: a hundredth of the points off at most, volume 2.1e-4 at most; about
-// the corners listed, by the luck of the samples (perforated cube: 27 to 39 in eight clouds); the
-// bevels cost 30 times as much and more.
+// With concave edges. Measured: a hundredth of the points off at most, volume 5e-6 at most; all
+// corners but one of the two cubes; the bevels cost 30 times as much and more.
 TEST(Sharp, ConcaveEdgesComeBackButForAFewPoints) {
   const struct {
     const char* name;
     std::size_t corners;  // least, of 12, 16, 20 and 40
-  } cases[] = {{"l_bracket", 10}, {"steps", 12}, {"two_cubes", 16}, {"perforated_cube", 26}};
+  } cases[] = {{"l_bracket", 12}, {"steps", 16}, {"two_cubes", 19}, {"perforated_cube", 40}};
   for (const auto& [name, corners] : cases)
     for (const std::uint64_t seed : {1u, 2u}) {
       SCOPED_TRACE(std::string(name) + " " + std::to_string(seed));
@@ -102,9 +101,23 @@ TEST(Sharp, ConcaveEdgesComeBackButForAFewPoints) {
       EXPECT_GT(s.added, 500u);
       EXPECT_LE(s.off, s.added / 50);
       EXPECT_GE(s.corners, corners);
-      EXPECT_LT(std::abs(s.volume), 3e-4);
+      EXPECT_LT(std::abs(s.volume), 3e-5);
       EXPECT_LT(s.bevel, -2e-3);
     }
+}
+
+// Its sharpest edge is 27 degrees, thinner near the tip than the samples are apart. Measured: five
+// of the six corners, volume 4e-5 off at most; four and the tip ragged without what is told between
+// sensed surfaces.
+TEST(Sharp, NarrowWedgesKeepTheirTip) {
+  for (const std::uint64_t seed : {1u, 2u}) {
+    SCOPED_TRACE(seed);
+    const Sharpness s = sharpness_of(make_shape("wedge"), seed);
+    EXPECT_EQ(s.off, 0u);
+    EXPECT_GE(s.corners, 5u);
+    EXPECT_LT(std::abs(s.volume), 1e-4);
+    EXPECT_LT(s.bevel, -2e-3);
+  }
 }
 
 // Faces off the axes are flat only to rounding, and slivers lie in them by the hundred. Measured:

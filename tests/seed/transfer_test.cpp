@@ -69,6 +69,11 @@ TEST(TransferSeeds, DoNotDependOnThreads) {
   EXPECT_EQ(one.seeds.firm, three.seeds.firm);
 }
 
+// Nothing else is known of any tetrahedron.
+std::vector<Seed> untold(const TetMesh& mesh) {
+  return std::vector<Seed>(mesh.finite, seed_free);
+}
+
 // Points added on the surface of a known solid: what is well inside or outside keeps its label.
 TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
   for (const KnownSolid& solid : known_solids(600)) {
@@ -89,7 +94,7 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
     OneStageJob job;
     const auto [fine, former] = add_points(c.coarse.mesh, added, near, job);
     const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, near, spacing,
-                                     std::vector<std::uint8_t>(fine.size(), 0), job);
+                                     std::vector<std::uint8_t>(fine.size(), 0), untold(fine), job);
     EXPECT_EQ(seeds.confidence, c.given.confidence);
     ASSERT_EQ(seeds.label.size(), fine.finite);
     std::size_t deep = 0, wrong = 0;
@@ -117,8 +122,8 @@ TEST(FollowSeeds, SettledTetrahedraAreFirm) {
   const auto [fine, former] = add_points(c.coarse.mesh, added, {0}, job);
   std::vector<std::uint8_t> settled(fine.size(), 0);
   for (Tet t = 0; t < fine.finite; t += 2) settled[t] = former[t] != no_tet;
-  const Seeds seeds =
-      follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing, settled, job);
+  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
+                                   settled, untold(fine), job);
   std::size_t soft = 0;
   for (Tet t = 0; t < fine.finite; ++t) {
     soft += !seeds.firm[t];
@@ -127,6 +132,29 @@ TEST(FollowSeeds, SettledTetrahedraAreFirm) {
     EXPECT_EQ(seeds.label[t], c.labels[former[t]]);
   }
   EXPECT_GT(soft, 100u);
+}
+
+// What is told is firm, against the label before, but for slivers and what is settled.
+TEST(FollowSeeds, TakeWhatIsTold) {
+  const Carried c(known_solids(600)[2]);
+  OneStageJob job;
+  const std::vector<Vec3> added{0.5 * (c.coarse.mesh.points[0] + c.coarse.mesh.points[1])};
+  std::vector<double> spacing = c.coarse.spacing;
+  spacing.push_back(spacing[0]);
+  const auto [fine, former] = add_points(c.coarse.mesh, added, {0}, job);
+  const std::vector<std::uint8_t> settled(fine.size(), 0);
+  std::vector<Seed> told = untold(fine);
+  for (Tet t = 0; t < fine.finite; t += 3)
+    if (former[t] != no_tet) told[t] = !c.labels[former[t]];
+  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
+                                   settled, told, job);
+  std::size_t taken = 0, all = 0;
+  for (Tet t = 0; t < fine.finite; ++t) {
+    if (told[t] == seed_free) continue;
+    ++all;
+    taken += seeds.firm[t] && seeds.label[t] == told[t];
+  }
+  EXPECT_GT(10 * taken, 9 * all);
 }
 
 // Where a point was added, and one facet beyond, the label of its place may be overruled.
@@ -143,7 +171,7 @@ TEST(FollowSeeds, AreHintsAtAddedPoints) {
   const auto [fine, former] = add_points(c.coarse.mesh, {added}, {0}, job);
   const std::uint8_t place = c.labels[locate(c.coarse.mesh, added, c.coarse.stars[0][0])];
   const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
-                                   std::vector<std::uint8_t>(fine.size(), 0), job);
+                                   std::vector<std::uint8_t>(fine.size(), 0), untold(fine), job);
   const TetMesh& mesh = fine;  // a structured binding cannot be captured
   const auto is_new = [&](Tet t) {
     const auto& corners = mesh.vertices[t];
