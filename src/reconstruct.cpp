@@ -125,6 +125,10 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
   return labels;
 }
 
+bool has_inside(const Labels& labels) {
+  return std::find(labels.begin(), labels.end(), std::uint8_t{1}) != labels.end();
+}
+
 // Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
 // and the surface is cut anew round them, until there is nothing to add. The rounds between the
 // first and the last surface go without swaps.
@@ -133,10 +137,24 @@ void sharpen(const Samples& samples, const Options& options, int rounds, const S
   std::vector<FeaturePoint> features;
   for (int round = 1; round <= rounds; ++round) {
     job.stage("features " + std::to_string(round), shares.features / rounds);
-    Stage next = add_features(stage, labels, samples, features, job);
+    const std::size_t known = features.size();
+    const std::uint64_t flips = report.manifold_flips;
+    std::vector<FeaturePoint> refused;
+    Stage next;
+    SurfaceCut cut;
+    do {
+      features.resize(known);
+      report.manifold_flips = flips;
+      next = add_features(stage, labels, samples, refused, features, job);
+      if (next.mesh.points.empty()) break;
+      cut = cut_manifold(next, {}, report, job);
+    } while (refuse_features(stage, labels, next, cut.labels, features, known, refused));
     if (next.mesh.points.empty()) break;
+    if (!has_inside(cut.labels)) {  // a handful of points: the features were none
+      features.resize(known);
+      break;
+    }
     stage = std::move(next);
-    SurfaceCut cut = cut_manifold(stage, {}, report, job);
     report.cut_energy.push_back(cut.energy);
     labels = std::move(cut.labels);
   }
@@ -146,7 +164,7 @@ void sharpen(const Samples& samples, const Options& options, int rounds, const S
 }
 
 void require_inside(const Labels& labels) {
-  if (std::find(labels.begin(), labels.end(), std::uint8_t{1}) == labels.end())
+  if (!has_inside(labels))
     throw Failure(ErrorCode::no_surface, "the points do not enclose a volume: nothing is inside",
                   "scan the object from more sides, or give more points");
 }

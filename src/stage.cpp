@@ -1,6 +1,7 @@
 #include "stage.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/parallel.h"
@@ -9,6 +10,7 @@
 #include "cut/manifold.h"
 #include "cut/specks.h"
 #include "feature/between.h"
+#include "feature/extend.h"
 #include "feature/insert.h"
 #include "feature/sense.h"
 #include "seed/transfer.h"
@@ -108,6 +110,17 @@ std::int64_t euler_characteristic(const TetMesh& mesh, const Labels& labels) {
          static_cast<std::int64_t>(triangles.size()) / 2;
 }
 
+// All facets at point v lie along one of the planes that were carried on to it.
+bool follows(const FacetMesh& facets, Index v, const FeaturePoint& point) {
+  constexpr double along = 0.97;  // cosine; planes that meet do so at 25 degrees and more
+  const auto star = facets.star(v);
+  return !star.empty() && std::all_of(star.begin(), star.end(), [&](Index f) {
+    return std::any_of(point.surfaces.begin(), point.surfaces.end(), [&](const LocalSurface& s) {
+      return dot(s.normal(point.position), facets.normal[f]) > along;
+    });
+  });
+}
+
 // Returns how many tetrahedra were flipped.
 std::uint64_t make_manifold(const Stage& stage, const std::vector<double>& curvature,
                             Labels& labels, Job& job) {
@@ -152,7 +165,8 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
 }
 
 Stage add_features(const Stage& stage, const Labels& labels, const Samples& given,
-                   std::vector<FeaturePoint>& features, Job& job) {
+                   const std::vector<FeaturePoint>& refused, std::vector<FeaturePoint>& features,
+                   Job& job) {
   Stage next;
   const std::size_t samples = given.points.size();
   const std::size_t known = features.size();
@@ -160,8 +174,8 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
                                        places_to_sense(facets, stage.mesh.points.size(), samples),
                                        surfaces_of(features), stage.roughness, job);
-  insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, features,
-                        job);
+  insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, refused,
+                        features, job);
   if (features.size() == known) return next;
   std::vector<Vec3> added;
   std::vector<Index> near;
@@ -188,8 +202,31 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   next.model.sides = sides_of(next.mesh.points, samples, sensed, features);
   next.seeds = follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, near,
                             next.model.spacing, far, known_seeds, job);
+  extend_across_gaps(next.mesh, features, known, next.seeds);
   next.settled = still_settled(stage.settled, extension.former, far);
   return next;
+}
+
+bool refuse_features(const Stage& stage, const Labels& labels, const Stage& next, const Labels& cut,
+                     const std::vector<FeaturePoint>& features, std::size_t known,
+                     std::vector<FeaturePoint>& refused) {
+  const auto is_across = [](const FeaturePoint& p) { return p.gap > 0; };
+  const auto begin = features.begin() + static_cast<std::ptrdiff_t>(known);
+  if (std::none_of(begin, features.end(), is_across)) return false;
+  if (euler_characteristic(next.mesh, cut) == euler_characteristic(stage.mesh, labels))
+    return false;
+  const std::size_t before = refused.size();
+  if (before == 0) {
+    const FacetMesh facets(boundary_triangles(next.mesh, cut), next.mesh.points, 1);
+    const std::size_t first = next.mesh.points.size() - (features.size() - known);
+    for (std::size_t k = known; k < features.size(); ++k)
+      if (is_across(features[k]) &&
+          !follows(facets, static_cast<Index>(first + k - known), features[k]))
+        refused.push_back(features[k]);
+  }
+  if (refused.size() == before)
+    std::copy_if(begin, features.end(), std::back_inserter(refused), is_across);
+  return refused.size() > before;
 }
 
 }  // namespace arris

@@ -40,8 +40,19 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job);
 
 // Adds the feature points that the surface of `labels` lets sense to `features`; returns the stage
 // that has them among its points, or nothing (no points) if there is none to add. Points
-// [samples ..) of a stage are the features, where the user's frame can hold them exactly.
+// [samples ..) of a stage are the features, where the user's frame can hold them exactly. Across
+// gaps none is added near a `refused` one.
 Stage add_features(const Stage& stage, const Labels& labels, const Samples& samples,
-                   std::vector<FeaturePoint>& features, Job& job);
+                   const std::vector<FeaturePoint>& refused, std::vector<FeaturePoint>& features,
+                   Job& job);
+
+// What it takes to keep features across gaps from changing the topology. `next` has
+// features[known ..) added to `stage`, `cut` is its surface. If that has another Euler
+// characteristic than the surface of `labels`, adds those across gaps to `refused` that are off the
+// new surface or that it does not follow the planes at; all of them if there is none such, or if
+// some have been refused before. Returns whether it added any: then the round should be done again.
+bool refuse_features(const Stage& stage, const Labels& labels, const Stage& next, const Labels& cut,
+                     const std::vector<FeaturePoint>& features, std::size_t known,
+                     std::vector<FeaturePoint>& refused);
 
 }  // namespace arris

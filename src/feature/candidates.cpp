@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <span>
 #include <utility>
 
@@ -22,6 +23,9 @@ const double least_sine = std::sin(least_angle) / 2;
 // How far from a crossing its edge or corner may lie, in units of spacing.
 constexpr double edge_reach = 1.5;
 constexpr double corner_reach = 2.5;
+// A side longer than this (in units of spacing) spans a gap of the samples. Planes are carried on
+// into it, by this share of the side: an edge of 90 degrees lies at half the side from its middle.
+constexpr double gap_length = 2.5, gap_reach = 0.6;
 // With more distinct sides round one facet there is no corner to be told, only noise; every three
 // of them would be tried. On 76 clean clouds of 38 models there are seven at most.
 constexpr std::size_t most_sides = 16;
@@ -58,18 +62,29 @@ bool is_sharp(const LocalSurface& a, const LocalSurface& b, Vec3 x) {
   return dot(a.normal(x), b.normal(x)) <= largest_cosine;
 }
 
+bool all_planes(std::initializer_list<const LocalSurface*> surfaces) {
+  return std::all_of(surfaces.begin(), surfaces.end(),
+                     [](const LocalSurface* s) { return s->is_plane(); });
+}
+
 void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candidate>& out) {
   if (c.turn(a, b) == Turn::none) return;
   const Vec3 u = c.points[a.point], v = c.points[b.point], middle = 0.5 * (u + v);
-  const double h = (c.spacing[a.point] + c.spacing[b.point]) / 2;
+  const double h = (c.spacing[a.point] + c.spacing[b.point]) / 2, side = distance(u, v);
+  const bool gap = side > gap_length * h && all_planes({a.surface, b.surface});
+  const double reach = std::max(edge_reach * h, gap ? gap_reach * side : 0);
   for (const Vec3 start : {middle, u, v}) {
     const auto x = meet(*a.surface, *b.surface, start, least_sine);
     if (!x || !is_sharp(*a.surface, *b.surface, *x)) continue;
-    if (distance(*x, middle) > edge_reach * h) continue;
+    if (distance(*x, middle) > reach) continue;
     const double far = std::min(distance(*x, u), distance(*x, v)) / h;
     if (start != middle && far > foot_reach) continue;
     if (is_cut_off(c, a, b, *x)) continue;
     out.push_back({{*x, h, false, a.point, no_index, {*a.surface, *b.surface}}, far});
+    if (far > edge_reach) {
+      out.back().point.gap = side;
+      out.back().point.turn = c.turn(a, b);
+    }
   }
 }
 
@@ -123,25 +138,50 @@ Side nearest_side(const Crossing& c, const Face& face, Vec3 x) {
   return {*std::min_element(face.points.begin(), face.points.end(), nearer), face.side.surface};
 }
 
-void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, Vec3 middle, double h,
+// Where a corner is looked for: round the middle of a facet.
+struct Place {
+  Vec3 middle;
+  double h;
+  double reach, gap_reach;  // lengths; the latter for planes, where the facet spans a gap
+};
+
+Place place_at(const Crossing& c, const Triangle& t) {
+  const auto x = [&](std::size_t i) { return c.points[t[i]]; };
+  const double h = (c.spacing[t[0]] + c.spacing[t[1]] + c.spacing[t[2]]) / 3;
+  const double side = std::max({distance(x(0), x(1)), distance(x(1), x(2)), distance(x(2), x(0))});
+  const double reach = corner_reach * h;
+  const double far = side > gap_length * h ? std::max(reach, gap_reach * side) : reach;
+  return {1.0 / 3 * (x(0) + x(1) + x(2)), h, reach, far};
+}
+
+void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, const Place& place,
                 std::vector<Candidate>& out) {
   const LocalSurface &a = *faces[0]->side.surface, &b = *faces[1]->side.surface,
                      &d = *faces[2]->side.surface;
-  const auto x = meet(a, b, d, middle);
-  if (!x || distance(*x, middle) > corner_reach * h) return;
+  const auto x = meet(a, b, d, place.middle);
+  const double reach = all_planes({&a, &b, &d}) ? place.gap_reach : place.reach;
+  if (!x || distance(*x, place.middle) > reach) return;
   std::array<Side, 3> sides;
   double far = 0;
+  std::array<Turn, 3> turn;
   for (std::size_t i = 0; i < 3; ++i) {
     const Face& next = *faces[(i + 1) % 3];
     if (!is_sharp(*faces[i]->side.surface, *next.side.surface, *x)) return;
     if (!bound_edge(c, *faces[i], next)) return;
     sides[i] = nearest_side(c, *faces[i], *x);
-    far = std::max(far, distance(c.points[sides[i].point], *x) / h);
+    far = std::max(far, distance(c.points[sides[i].point], *x));
   }
-  if (far > corner_reach) return;
-  for (std::size_t i = 0; i < 3; ++i)
+  // What was sensed at a neighbouring facet of the gap is farther by as much as a side.
+  const bool across = far > place.reach;
+  if (far > (reach > place.reach ? reach * (1 + 1 / gap_reach) : reach)) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    turn[i] = c.turn(sides[i], sides[(i + 1) % 3]);
     if (is_cut_off(c, sides[i], sides[(i + 1) % 3], *x)) return;
-  out.push_back({{*x, h, true, sides[0].point, no_index, {a, b, d}}, far});
+  }
+  out.push_back({{*x, place.h, true, sides[0].point, no_index, {a, b, d}}, far / place.h});
+  if (!across) return;
+  out.back().point.gap = reach / gap_reach;
+  if (turn[0] == turn[1] && turn[1] == turn[2]) out.back().point.turn = turn[0];
 }
 
 // Candidates that more others coincide with come first, then nearer ones.
@@ -196,12 +236,11 @@ std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
     if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
     const std::vector<Face> faces = faces_round(c, f);
     if (faces.size() > most_sides) continue;
-    const double h = (c.spacing[t[0]] + c.spacing[t[1]] + c.spacing[t[2]]) / 3;
-    const Vec3 middle = 1.0 / 3 * (c.points[t[0]] + c.points[t[1]] + c.points[t[2]]);
+    const Place place = place_at(c, t);
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = i + 1; j < faces.size(); ++j)
         for (std::size_t k = j + 1; k < faces.size(); ++k)
-          try_corner(c, {&faces[i], &faces[j], &faces[k]}, middle, h, found);
+          try_corner(c, {&faces[i], &faces[j], &faces[k]}, place, found);
   }
   rank_corners(found);
   return found;

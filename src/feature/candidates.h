@@ -16,6 +16,10 @@ struct FeaturePoint {
   Index near = no_index;    // one of the points it was found from
   Index vertex = no_index;  // the point it is, where it is one already
   std::vector<LocalSurface> surfaces;
+  // Where planes were carried on to it across a gap of the samples: how wide that is, as a length,
+  // and how they all turn at it (none: not all alike). Else 0 and none.
+  double gap = 0;
+  Turn turn = Turn::none;
 };
 
 struct Candidate {

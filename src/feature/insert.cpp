@@ -29,6 +29,15 @@ void thin(const std::vector<Candidate>& candidates, const NearestSample& nearest
   }
 }
 
+// Those across gaps that others have been refused at.
+void drop_refused(const std::vector<FeaturePoint>& refused, std::vector<Candidate>& candidates) {
+  std::erase_if(candidates, [&](const Candidate& c) {
+    return c.point.gap > 0 && std::any_of(refused.begin(), refused.end(), [&](const auto& r) {
+             return distance(r.position, c.point.position) <= r.gap;
+           });
+  });
+}
+
 double largest_spacing(const std::vector<Candidate>& candidates) {
   double h = 0;
   for (const Candidate& c : candidates) h = std::max(h, c.point.spacing);
@@ -51,10 +60,13 @@ std::vector<FeaturePoint> marked_samples(const std::vector<Vec3>& points, std::s
 
 void insert_feature_points(const std::vector<Vec3>& points, std::size_t samples,
                            const FacetMesh& mesh, const std::vector<double>& spacing,
-                           const Sensed& sensed, std::vector<FeaturePoint>& features, Job& job) {
+                           const Sensed& sensed, const std::vector<FeaturePoint>& refused,
+                           std::vector<FeaturePoint>& features, Job& job) {
   const Crossing crossing{points, mesh, spacing, sensed};
-  const std::vector<Candidate> corners = corner_candidates(crossing, job);
-  const std::vector<Candidate> edges = edge_candidates(crossing, job);
+  std::vector<Candidate> corners = corner_candidates(crossing, job);
+  std::vector<Candidate> edges = edge_candidates(crossing, job);
+  drop_refused(refused, corners);
+  drop_refused(refused, edges);
   const double cell = apart * std::max(largest_spacing(corners), largest_spacing(edges));
   if (!(cell > 0)) return;
   const NearestSample nearest(points);

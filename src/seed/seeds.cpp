@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "seed/parity_forest.h"
+#include "seed/recount.h"
 #include "seed/votes.h"
 
 namespace arris {
@@ -101,6 +102,7 @@ Seeds find_seeds(const TetMesh& mesh, const Stars& stars, const std::vector<Circ
                      : root.opposite != outside.opposite ? seed_inside
                                                          : seed_outside;
   }
+  recount_votes(mesh, votes, seeds.firm, seeds.label);
   seeds.confidence.resize(mesh.samples);
   for (std::size_t v = 0; v < mesh.samples; ++v)
     seeds.confidence[v] = tally.all[v] > 0 ? tally.agree[v] / tally.all[v] : 0;

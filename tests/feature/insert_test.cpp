@@ -160,7 +160,8 @@ TEST(Protect, WithoutFeaturesNothingIsAdded) {
 std::vector<FeaturePoint> features_of(const FirstSurface& s) {
   OneStageJob job;
   std::vector<FeaturePoint> features;
-  insert_feature_points(s.points, s.points.size(), s.facets, s.spacing, s.sensed, features, job);
+  insert_feature_points(s.points, s.points.size(), s.facets, s.spacing, s.sensed, {}, features,
+                        job);
   return features;
 }
 

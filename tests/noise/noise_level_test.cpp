@@ -7,6 +7,7 @@
 
 #include "base/vec.h"
 #include "support/job.h"
+#include "support/measure.h"
 #include "support/samplers.h"
 #include "support/shapes.h"
 
@@ -82,6 +83,21 @@ TEST(NoiseLevel, ShowsItselfOnPlanesFromAFewHundredthsOfTheSpacing) {
   add_noise(points, sigma, 2);
   const std::vector<double> level = sorted_levels(points);
   EXPECT_NEAR(level[level.size() / 2] / sigma, 1, 0.15);
+}
+
+// Bars of a few spacings leave hardly a place where a neighbourhood of 24 is flat.
+TEST(NoiseLevel, IsFoundOnNarrowBars) {
+  const Mesh bars = box_complex({{{-3, -0.5, -0.5}, {3, 0.5, 0.5}},
+                                 {{-0.5, -3, 1.5}, {0.5, 3, 2.5}},
+                                 {{1.5, -0.5, -3}, {2.5, 0.5, -0.5}}});
+  for (const double width : {4.5, 5.0, 5.5}) {
+    std::vector<Vec3> points = sample_blue(bars, samples_at_spacing(area(bars), 1 / width), 1);
+    EXPECT_EQ(sorted_levels(points).back(), 0) << width;
+    const double sigma = 0.03 / width;
+    add_noise(points, sigma, 2);
+    const std::vector<double> level = sorted_levels(points);
+    EXPECT_NEAR(level[level.size() / 2] / sigma, 1, 0.35) << width;
+  }
 }
 
 TEST(NoiseLevel, LargerThanTheSpacing) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/clouds.h"
 #include "support/measure.h"
@@ -87,6 +88,37 @@ TEST(Gaps, SampledEndsAreNotJoined) {
   const Mesh bars = box_complex({{{0, 0, 0}, {1, 0.3, 0.3}}, {{1.3, 0, 0}, {2.3, 0.3, 0.3}}});
   const PointCloud cloud = cloud_without(bars, 0.06, [](Vec3) { return false; });
   expect_topology(bevelled(cloud), 2, 4);
+}
+
+double nearest_vertex(const Mesh& mesh, Vec3 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Vec3 v : mesh.vertices) nearest = std::min(nearest, distance(v, p));
+  return nearest;
+}
+
+// The planes beside a gap are carried on to where they meet, several spacings from all samples.
+TEST(Gaps, ACornerThatNobodySawIsThere) {
+  const Mesh cube = box_complex({{{0, 0, 0}, {1, 1, 1}}});
+  const PointCloud cloud = cloud_without(cube, 0.06, [](Vec3 p) {
+    return distance(p, {1, 1, 1}) < 0.2;
+  });
+  const Result<Reconstruction> r = reconstruct(cloud);
+  ASSERT_TRUE(r) << said(r);
+  expect_topology(*r, 1, 2);
+  EXPECT_LT(nearest_vertex(r->mesh, {1, 1, 1}), 1e-3);
+  EXPECT_NEAR(volume(r->mesh), 1, 1e-4);
+}
+
+TEST(Gaps, AConcaveEdgeThatNobodySawIsThere) {
+  const Mesh bracket = box_complex({{{0, 0, 0}, {1, 1, 0.5}}, {{0, 0, 0.5}, {0.5, 1, 1}}});
+  const PointCloud cloud = cloud_without(bracket, 0.06, [](Vec3 p) {
+    return std::hypot(p.x - 0.5, p.z - 0.5) < 0.17 && std::abs(p.y - 0.5) < 0.3;
+  });
+  const Result<Reconstruction> r = reconstruct(cloud);
+  ASSERT_TRUE(r) << said(r);
+  expect_topology(*r, 1, 2);
+  const double film = 0.6 * 0.17 * 0.17 / 2;  // what a flat film over the edge would close off
+  EXPECT_NEAR(volume(r->mesh), 0.75, 0.25 * film);
 }
 
 }  // namespace
