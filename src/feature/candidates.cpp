@@ -184,6 +184,20 @@ void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, cons
   if (turn[0] == turn[1] && turn[1] == turn[2]) out.back().point.turn = turn[0];
 }
 
+// Points so near to a crossing side, or to a sample on a feature, that faces_round may find several
+// surfaces: nowhere else can three meet.
+std::vector<std::uint8_t> near_features(const Crossing& c) {
+  std::vector<std::uint8_t> marked(c.points.size(), 0);
+  for (const Triangle& t : c.mesh.facets)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index u = t[i], v = t[(i + 1) % 3];
+      if (c.sensed.at(u).size() > 1) marked[u] = 1;
+      if (u < v && c.crosses(u, v)) marked[u] = marked[v] = 1;
+    }
+  spread(c.mesh, 2, marked);
+  return marked;
+}
+
 // Candidates that more others coincide with come first, then nearer ones.
 void rank_corners(std::vector<Candidate>& all) {
   double cell = 0;
@@ -230,9 +244,11 @@ std::vector<Candidate> edge_candidates(const Crossing& c, Job& job) {
 
 std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
   std::vector<Candidate> found;
+  const std::vector<std::uint8_t> near = near_features(c);
   for (Index f = 0; f < c.mesh.facets.size(); ++f) {
     if (f % 65536 == 0) job.tick(0);
     const Triangle& t = c.mesh.facets[f];
+    if (!near[t[0]] && !near[t[1]] && !near[t[2]]) continue;
     if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
     const std::vector<Face> faces = faces_round(c, f);
     if (faces.size() > most_sides) continue;
