@@ -33,6 +33,11 @@ constexpr double sharpest_bend = 0.6;
 // How far the curvature beside an edge is measured, in mean lengths of the edges at its ends.
 constexpr double reach = 2.0;
 
+// The nearest faces suffice: two dozen are within reach where triangles are alike, but beside the
+// large ones that close a hole the whole mesh may be. Measured on a one-sided scan of 24,566
+// points: without a bound this took 21 s, more than all the rest.
+constexpr std::size_t most_faces = 256;
+
 // Edges nearer than this to the plane through the crease belong to the crease itself.
 constexpr double crease_width = 0.25;
 
@@ -104,7 +109,7 @@ class Side {
   }
 
   void visit(Index f) {
-    if (f == no_index) return;
+    if (f == no_index || faces_.size() == most_faces) return;
     const Vec3 c = centroid(f);
     if (depth(c) <= 0 || distance(c, middle_) > radius_) return;
     if (std::find(faces_.begin(), faces_.end(), f) == faces_.end()) faces_.push_back(f);
