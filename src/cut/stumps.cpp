@@ -46,9 +46,10 @@ struct Region {
   Vec3 centre, normal;
 };
 
+// Looks round every point once, however many facets it has.
 std::vector<Region> find_regions(const CutSurface& s) {
   std::vector<Region> regions;
-  std::vector<std::uint8_t> seen(s.facets.size(), 0);
+  std::vector<std::uint8_t> seen(s.facets.size(), 0), looked_round(s.points, 0);
   for (std::size_t k = 0; k < s.facets.size(); ++k) {
     if (seen[k] || s.facets[k].reach <= sure_gap) continue;
     Region region;
@@ -57,12 +58,14 @@ std::vector<Region> find_regions(const CutSurface& s) {
     for (std::size_t r = 0; r < region.facets.size(); ++r) {
       const CutSurface::Facet& f = s.facets[region.facets[r]];
       region.area += f.area;
-      for (Index v : f.corners)
+      for (Index v : f.corners) {
+        if (std::exchange(looked_round[v], std::uint8_t{1})) continue;
         for (std::size_t n : s.round(v))
           if (!seen[n] && s.facets[n].reach > likely_gap) {
             seen[n] = 1;
             region.facets.push_back(n);
           }
+      }
     }
     if (region.area >= smallest_cap) regions.push_back(std::move(region));
   }
@@ -84,19 +87,27 @@ void measure(const TetMesh& mesh, const CutSurface& s, Region& region) {
   if (turned > 0) region.normal = 1 / turned * region.normal;
 }
 
+template <class T>
+void sort_unique(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+// Those facets and all that share a point with them, ascending. O(n log n) whatever the degrees.
+std::vector<std::size_t> grow(const CutSurface& s, const std::vector<std::size_t>& facets) {
+  std::vector<Index> points;
+  for (std::size_t k : facets)
+    points.insert(points.end(), s.facets[k].corners.begin(), s.facets[k].corners.end());
+  sort_unique(points);
+  std::vector<std::size_t> grown;
+  for (Index v : points) grown.insert(grown.end(), s.round(v).begin(), s.round(v).end());
+  sort_unique(grown);
+  return grown;
+}
+
 // Mean cosine, by area, between the region and the facets outside it within two rings.
 double cosine_at_rim(const CutSurface& s, const Region& region) {
-  std::vector<std::size_t> ring = region.facets;
-  std::sort(ring.begin(), ring.end());
-  for (int r = 0; r < 2; ++r) {
-    std::vector<std::size_t> grown = ring;
-    for (std::size_t k : ring)
-      for (Index v : s.facets[k].corners)
-        grown.insert(grown.end(), s.round(v).begin(), s.round(v).end());
-    std::sort(grown.begin(), grown.end());
-    grown.erase(std::unique(grown.begin(), grown.end()), grown.end());
-    ring = std::move(grown);
-  }
+  const std::vector<std::size_t> ring = grow(s, grow(s, region.facets));
   std::vector<std::size_t> inner = region.facets;
   std::sort(inner.begin(), inner.end());
   double sum = 0, area = 0;
