@@ -42,15 +42,11 @@ std::vector<std::vector<LocalSurface>> surfaces_of(const std::vector<FeaturePoin
   return surfaces;
 }
 
-// The sides at the samples as sensed, at the features as they were made.
-Sides sides_of(const std::vector<Vec3>& points, std::size_t samples, const Sensed& sensed,
-               const std::vector<FeaturePoint>& features) {
+Sides sides_of(const std::vector<Vec3>& points, const SurfacesAt& surfaces_at) {
   Sides sides;
   sides.first.push_back(0);
   for (Index v = 0; v < points.size(); ++v) {
-    const std::span<const LocalSurface> at =
-        v < samples ? sensed.at(v) : std::span(features[v - samples].surfaces);
-    for (const LocalSurface& s : at) sides.normal.push_back(s.normal(points[v]));
+    for (const LocalSurface& s : surfaces_at(v)) sides.normal.push_back(s.normal(points[v]));
     sides.first.push_back(static_cast<Index>(sides.normal.size()));
   }
   return sides;
@@ -188,6 +184,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
     next.model.spacing.push_back(features[k].spacing);
   }
   Extension extension = add_points(stage.mesh, added, near, job);
+  // At the samples as sensed, at the features as they were made.
   const SurfacesAt surfaces_at = [&](Index v) {
     return v < samples ? sensed.at(v)
                        : std::span<const LocalSurface>(features[v - samples].surfaces);
@@ -199,7 +196,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
                extension, job.threads());
   next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);
-  next.model.sides = sides_of(next.mesh.points, samples, sensed, features);
+  next.model.sides = sides_of(next.mesh.points, surfaces_at);
   next.seeds = follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, near,
                             next.model.spacing, far, known_seeds, job);
   extend_across_gaps(next.mesh, features, known, next.seeds);

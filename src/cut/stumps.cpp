@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/distinct.h"
 #include "base/vec.h"
 #include "energy/facet.h"
 
@@ -87,21 +88,15 @@ void measure(const TetMesh& mesh, const CutSurface& s, Region& region) {
   if (turned > 0) region.normal = 1 / turned * region.normal;
 }
 
-template <class T>
-void sort_unique(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 // Those facets and all that share a point with them, ascending. O(n log n) whatever the degrees.
 std::vector<std::size_t> grow(const CutSurface& s, const std::vector<std::size_t>& facets) {
   std::vector<Index> points;
   for (std::size_t k : facets)
     points.insert(points.end(), s.facets[k].corners.begin(), s.facets[k].corners.end());
-  sort_unique(points);
+  keep_distinct(points);
   std::vector<std::size_t> grown;
   for (Index v : points) grown.insert(grown.end(), s.round(v).begin(), s.round(v).end());
-  sort_unique(grown);
+  keep_distinct(grown);
   return grown;
 }
 

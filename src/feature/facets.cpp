@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/distinct.h"
 #include "base/failure.h"
 #include "base/parallel.h"
 #include "base/vec.h"
@@ -35,11 +36,6 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& points) {
 // The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
 Index next_corner(const Triangle& t, Index v) {
   return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
-}
-
-void keep_distinct(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace

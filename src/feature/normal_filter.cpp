@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/distinct.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
@@ -37,11 +38,6 @@ std::vector<Middle> middles(const std::vector<Vec3>& points, const FacetMesh& me
     result.push_back({1.0 / 3 * (a + b + c), length(cross(b - a, c - a)) / 2});
   }
   return result;
-}
-
-void keep_distinct(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 Links link_facets(const std::vector<Vec3>& points, const FacetMesh& mesh) {

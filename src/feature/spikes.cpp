@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "base/distinct.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
@@ -29,11 +30,6 @@ constexpr double smallest_area = 0.05;
 
 // A point off the surface looks at the triangles round this many points on it.
 constexpr std::size_t nearest_present = 4;
-
-void make_set(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 class Finder {
  public:
@@ -95,12 +91,12 @@ class Finder {
       present_tree_->nearest(points_[p], nearest_present, s.hits);
       for (const NearestSample::Hit& hit : s.hits) s.ring.push_back(present_[hit.index]);
     }
-    make_set(s.ring);
+    keep_distinct(s.ring);
     for (Index v : s.ring)
       for (Index t : stars_[v])
         if (std::find(triangles_[t].begin(), triangles_[t].end(), p) == triangles_[t].end())
           s.facets.push_back(t);
-    make_set(s.facets);
+    keep_distinct(s.facets);
   }
 
   // Whether the surface passes p by. If others that it leaves aside are nearer than the surface, a

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/distinct.h"
 #include "base/parallel.h"
 
 namespace arris {
@@ -77,8 +78,7 @@ Tet Descent::cheapest_next(Change& change) {
   for (Tet t : chain_)
     for (Tet n : boundary_.mesh().neighbours[t])
       if (std::find(chain_.begin(), chain_.end(), n) == chain_.end()) candidates_.push_back(n);
-  std::sort(candidates_.begin(), candidates_.end());
-  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+  keep_distinct(candidates_);
   Tet best = no_tet;
   for (Tet t : candidates_) {
     if (!may_move(t) || !boundary_.is_simple(t)) continue;

@@ -1,6 +1,9 @@
 // First surfaces of noisy samples: closed, bevelled at every edge, and rough.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/vec.h"
 #include "feature/refit.h"
 #include "feature/sensing.h"
@@ -36,6 +39,20 @@ struct RoughSurface {
   std::vector<Vec3> refitted(unsigned threads = 1) const {
     OneStageJob job(threads);
     return refit_samples({points, points, backing, level, spacing}, facets, job);
+  }
+
+  // How many points of a plate, off its rim, are on the side of the other sheet in z.
+  std::size_t crossed(const std::vector<Vec3>& now) const {
+    double low = 1e9, high = -1e9;
+    for (Vec3 p : clean.vertices) low = std::min(low, p.z), high = std::max(high, p.z);
+    const double middle = (low + high) / 2;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < now.size(); ++v) {
+      const double side = clean.vertices[v].z - middle;
+      if (std::abs(side) < 0.4 * (high - low)) continue;  // on the rim
+      count += side * (now[v].z - middle) < 0 ? 1 : 0;
+    }
+    return count;
   }
 
   Vec3 middle(std::size_t facet) const {

@@ -53,32 +53,32 @@ TEST(SmallPlanes, AStripOneSpacingWideIsAFace) {
   EXPECT_GT(static_cast<double>(known), 0.6 * static_cast<double>(on)) << known << " of " << on;
 }
 
+// What every sample sees if none is explained.
+std::vector<std::vector<LocalSurface>> planes_seen(const FirstSurface& s) {
+  const std::vector<std::uint8_t> open(s.points.size(), 1);
+  SmallPlanes small(s.points, s.facets, s.spacing, open);
+  std::vector<std::vector<LocalSurface>> seen(s.points.size());
+  for (Index v = 0; v < seen.size(); ++v) small.find(v, seen[v]);
+  return seen;
+}
+
 // No four samples of a sphere lie on a plane but by chance, which the number of false alarms
 // bounds: less than one sample in a hundred sees a plane.
 TEST(SmallPlanes, ChanceMakesFew) {
   const FirstSurface s(make_shape("sphere"), 4000);
-  const std::vector<std::uint8_t> open(s.points.size(), 1);
-  SmallPlanes small(s.points, s.facets, s.spacing, open);
   std::size_t planes = 0;
-  for (Index v = 0; v < s.points.size(); ++v) {
-    std::vector<LocalSurface> found;
-    small.find(v, found);
-    planes += found.size();
-  }
+  for (const auto& seen : planes_seen(s)) planes += seen.size();
   EXPECT_LT(planes, s.points.size() / 100);
 }
 
 // All samples of a cube, taken for unexplained: every one amid a face sees the plane of the face.
 TEST(SmallPlanes, FacesAreSeenFromOutside) {
   const FirstSurface s(make_shape("cube"), 1000);
-  const std::vector<std::uint8_t> open(s.points.size(), 1);
-  SmallPlanes small(s.points, s.facets, s.spacing, open);
+  const std::vector<std::vector<LocalSurface>> seen = planes_seen(s);
   std::size_t wrong = 0;
   for (Index v = 0; v < s.points.size(); ++v) {
-    std::vector<LocalSurface> found;
-    small.find(v, found);
     const Vec3 p = s.points[v] - Vec3{0.5, 0.5, 0.5};
-    wrong += found.size() != 1 || dot(found[0].normal(s.points[v]), p) < 0.5 - 1e-9;
+    wrong += seen[v].size() != 1 || dot(seen[v][0].normal(s.points[v]), p) < 0.5 - 1e-9;
   }
   EXPECT_LE(wrong, s.points.size() / 50);
 }

@@ -74,6 +74,25 @@ std::vector<Seed> untold(const TetMesh& mesh) {
   return std::vector<Seed>(mesh.finite, seed_free);
 }
 
+// With one point more: the middle between sample 0 and `other`.
+struct OneAdded {
+  const Carried& carried;
+  Extension extension;
+  std::vector<double> spacing;
+
+  OneAdded(const Carried& c, Vec3 other) : carried(c), spacing(c.coarse.spacing) {
+    OneStageJob job;
+    extension = add_points(c.coarse.mesh, {0.5 * (c.coarse.mesh.points[0] + other)}, {0}, job);
+    spacing.push_back(spacing[0]);
+  }
+
+  Seeds follow(const std::vector<std::uint8_t>& settled, const std::vector<Seed>& told) const {
+    OneStageJob job;
+    return follow_seeds(carried.coarse.mesh, carried.labels, carried.given, extension.mesh,
+                        extension.former, {0}, spacing, settled, told, job);
+  }
+};
+
 // Points added on the surface of a known solid: what is well inside or outside keeps its label.
 TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
   for (const KnownSolid& solid : known_solids(600)) {
@@ -115,15 +134,11 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
 
 TEST(FollowSeeds, SettledTetrahedraAreFirm) {
   const Carried c(known_solids(600)[2]);
-  OneStageJob job;
-  const std::vector<Vec3> added{0.5 * (c.coarse.mesh.points[0] + c.coarse.mesh.points[1])};
-  std::vector<double> spacing = c.coarse.spacing;
-  spacing.push_back(spacing[0]);
-  const auto [fine, former] = add_points(c.coarse.mesh, added, {0}, job);
+  const OneAdded grown(c, c.coarse.mesh.points[1]);
+  const auto& [fine, former] = grown.extension;
   std::vector<std::uint8_t> settled(fine.size(), 0);
   for (Tet t = 0; t < fine.finite; t += 2) settled[t] = former[t] != no_tet;
-  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
-                                   settled, untold(fine), job);
+  const Seeds seeds = grown.follow(settled, untold(fine));
   std::size_t soft = 0;
   for (Tet t = 0; t < fine.finite; ++t) {
     soft += !seeds.firm[t];
@@ -137,17 +152,13 @@ TEST(FollowSeeds, SettledTetrahedraAreFirm) {
 // What is told is firm, against the label before, but for slivers and what is settled.
 TEST(FollowSeeds, TakeWhatIsTold) {
   const Carried c(known_solids(600)[2]);
-  OneStageJob job;
-  const std::vector<Vec3> added{0.5 * (c.coarse.mesh.points[0] + c.coarse.mesh.points[1])};
-  std::vector<double> spacing = c.coarse.spacing;
-  spacing.push_back(spacing[0]);
-  const auto [fine, former] = add_points(c.coarse.mesh, added, {0}, job);
+  const OneAdded grown(c, c.coarse.mesh.points[1]);
+  const auto& [fine, former] = grown.extension;
   const std::vector<std::uint8_t> settled(fine.size(), 0);
   std::vector<Seed> told = untold(fine);
   for (Tet t = 0; t < fine.finite; t += 3)
     if (former[t] != no_tet) told[t] = !c.labels[former[t]];
-  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
-                                   settled, told, job);
+  const Seeds seeds = grown.follow(settled, told);
   std::size_t taken = 0, all = 0;
   for (Tet t = 0; t < fine.finite; ++t) {
     if (told[t] == seed_free) continue;
@@ -164,14 +175,11 @@ TEST(FollowSeeds, AreHintsAtAddedPoints) {
   const Vec3 nearest = *std::min_element(samples.begin() + 1, samples.end(), [&](Vec3 a, Vec3 b) {
     return distance(a, samples[0]) < distance(b, samples[0]);
   });
-  std::vector<double> spacing = c.coarse.spacing;
-  spacing.push_back(spacing[0]);
-  OneStageJob job;
-  const Vec3 added = 0.5 * (samples[0] + nearest);
-  const auto [fine, former] = add_points(c.coarse.mesh, {added}, {0}, job);
-  const std::uint8_t place = c.labels[locate(c.coarse.mesh, added, c.coarse.stars[0][0])];
-  const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, {0}, spacing,
-                                   std::vector<std::uint8_t>(fine.size(), 0), untold(fine), job);
+  const OneAdded grown(c, nearest);
+  const auto& [fine, former] = grown.extension;
+  const std::uint8_t place =
+      c.labels[locate(c.coarse.mesh, fine.points.back(), c.coarse.stars[0][0])];
+  const Seeds seeds = grown.follow(std::vector<std::uint8_t>(fine.size(), 0), untold(fine));
   const TetMesh& mesh = fine;  // a structured binding cannot be captured
   const auto is_new = [&](Tet t) {
     const auto& corners = mesh.vertices[t];
@@ -181,7 +189,8 @@ TEST(FollowSeeds, AreHintsAtAddedPoints) {
   for (Tet t = 0; t < mesh.finite; ++t) {
     const auto& round = mesh.neighbours[t];
     const bool near = std::any_of(round.begin(), round.end(), is_new);
-    const bool flat = largest_base(mesh, t).height < sliver_height * mean_spacing(mesh, spacing, t);
+    const bool flat =
+        largest_base(mesh, t).height < sliver_height * mean_spacing(mesh, grown.spacing, t);
     (is_new(t) ? at : near ? beyond : elsewhere) += 1;
     const bool won = seeds.label[t] == place && (is_new(t) || near);
     EXPECT_TRUE(flat || seeds.label[t] == seed_free || seeds.hint[t] == won);
