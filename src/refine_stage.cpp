@@ -1,10 +1,13 @@
 #include "refine_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "base/angle.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
+#include "feature/mesh_edges.h"
 #include "feature/refine.h"
 #include "seed/lifted.h"
 #include "surface/extract.h"
@@ -19,6 +22,8 @@ constexpr int most_attempts = 3;
 // Points nearer than this to a vertex left out are taken back, in units of the spacing of the
 // samples.
 constexpr double withdrawal = 2;
+// Swaps are sought at edges that turn by more.
+constexpr double sharp_turning = radians(30);
 
 struct Topology {
   std::size_t components;
@@ -78,14 +83,38 @@ void withdraw(const Stage& old, const Labels& old_labels, const Stage& next, con
   });
 }
 
+Mesh surface_of(const Stage& stage, const Labels& labels) {
+  Mesh mesh;
+  mesh.vertices = stage.mesh.points;
+  mesh.triangles = boundary_triangles(stage.mesh, labels);
+  return mesh;
+}
+
+// Swaps where the surface turns sharply, and on from what they change. Beside features the cut
+// leaves needles that stand up, as their area is next to nothing. Elsewhere swaps would undo what
+// the new points gain: they trade round triangles for flat ones.
+void swap_at_bends(Stage& stage, Labels& labels, Report& report, Job& job) {
+  const Mesh surface = surface_of(stage, labels);
+  std::vector<std::uint8_t> bent(stage.mesh.points.size(), 0);
+  for (const MeshEdge& e : collect_edges(surface, job).edges)
+    if (std::abs(e.turning) > sharp_turning)
+      for (Index f : e.faces)
+        for (Index v : surface.triangles[f]) bent[v] = 1;
+  stage.settled.assign(stage.mesh.size(), 1);
+  for (std::size_t t = 0; t < stage.mesh.finite; ++t) {
+    const auto& corners = stage.mesh.vertices[t];
+    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return bent[v]; }))
+      stage.settled[t] = 0;
+  }
+  run_swaps(stage, labels, report, job);
+}
+
 }  // namespace
 
 std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
                            Job& job) {
-  Mesh mesh;
-  mesh.vertices = stage.mesh.points;
-  mesh.triangles = boundary_triangles(stage.mesh, labels);
-  std::vector<RefinePoint> added = refine_points(mesh, stage.model.spacing, stage.roughness, job);
+  std::vector<RefinePoint> added =
+      refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, job);
   const Topology wanted = topology_of(stage, labels, job);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
@@ -96,6 +125,7 @@ std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels,
       stage = std::move(next);
       labels = std::move(cut.labels);
       report = std::move(trial);
+      if (report.options.swap) swap_at_bends(stage, labels, report, job);
       return added.size();
     }
     withdraw(stage, labels, next, cut.labels, added);

@@ -28,11 +28,12 @@ constexpr double radians(double degrees) {
 constexpr double least_sag = 0.002;
 // More of it, in lengths of the edge, no smooth arc has: a semicircle has half.
 constexpr double most_sag = 0.3;
-// A sag says nothing if the fit errs by as much. Twice the residual always counts, near features
-// nothing less does: a point off a plane there costs the edge. Elsewhere detail that the samples
-// only just resolve leaves residuals too, and its sags count if they are clear of rounding.
-constexpr double sure = 2;
-constexpr double likely = 0.3, clear_sag = 0.008;
+// A sag s is believed by the part s² / (s² + doubt r²), r the residual of the fit: Wiener's filter
+// with s² for the signal. Values of 0.1 to 1 bring the same within a few percent.
+constexpr double doubt = 0.5;
+// Near features a residual above this part of the edge may be an edge that was missed: rounding it
+// costs more than a sag below twice the residual brings.
+constexpr double coarse_residual = 0.03, sure = 2;
 
 // Members of a fit: ten coefficients and as many again to judge them; within so many edge lengths,
 // on facets that lean less than this from those at the edge.
@@ -54,6 +55,11 @@ bool contains(const std::vector<Index>& list, Index i) {
   return std::find(list.begin(), list.end(), i) != list.end();
 }
 
+double believe(double sag, double residual) {
+  const double signal = sag * sag;
+  return signal > 0 ? sag * signal / (signal + doubt * residual * residual) : 0;
+}
+
 // What is over the middle of one edge.
 struct Lift {
   RefinePoint point;
@@ -62,11 +68,12 @@ struct Lift {
 
 class Refiner {
  public:
-  Refiner(const Mesh& mesh, const std::vector<double>& spacing, double roughness,
+  Refiner(const Mesh& mesh, const std::vector<double>& spacing, double roughness, double shortest,
           const MeshEdges& edges, const Network& network)
       : mesh_(mesh),
         spacing_(spacing),
         roughness_(roughness),
+        shortest_(shortest),
         edges_(edges),
         network_(network),
         normals_(stable_normals(mesh, edges)) {}
@@ -77,10 +84,11 @@ class Refiner {
                                !is_needle(edge.faces[0]) && !is_needle(edge.faces[1]));
   }
 
-  // Nothing if the surface cannot be told there; on features always a point.
+  // Nothing if the surface cannot be told there, or the edge is short; on features always a point.
   std::optional<Lift> lift(Index e) const {
     if (is_feature(e)) return lift_feature(e);
     const MeshEdge& edge = edges_.edges[e];
+    if (is_short(e)) return std::nullopt;
     const auto side = sense(e, {edge.faces[0], edge.faces[1]});
     if (!side) return std::nullopt;
     Lift lift = at_middle(e);
@@ -106,12 +114,14 @@ class Refiner {
     return (spacing_[a] + spacing_[b]) / 2;
   }
 
+  bool is_short(Index e) const { return edges_.edges[e].length < shortest_ * mean_spacing(e); }
+
   // False if no smooth arc rises as far.
   bool raise(Vec3 by, Index e, Lift& lift) const {
     const double sag = length(by);
     if (sag > most_sag * edges_.edges[e].length) return false;
     lift.point.position = lift.point.foot + by;
-    lift.wanted = sag >= least_sag * mean_spacing(e) + 2 * roughness_;
+    lift.wanted = !is_short(e) && sag >= least_sag * mean_spacing(e) + 2 * roughness_;
     return true;
   }
 
@@ -147,17 +157,17 @@ class Refiner {
     if (members.points.size() < least_members) return std::nullopt;
     const Jet jet = fit_jet(mesh_.vertices, members.points, middle, n, unit);
     const double sag = jet.height(middle) - (jet.height(a) + jet.height(b)) / 2;
-    const bool clear = !members.at_feature && std::abs(sag) > clear_sag * unit;
-    if (std::abs(sag) < (clear ? likely : sure) * jet.residual) return Side{0, jet.normal()};
-    return Side{sag * dot(jet.normal(), n), jet.normal()};
+    const bool coarse = members.at_feature && jet.residual > coarse_residual * unit;
+    if (coarse && std::abs(sag) < sure * jet.residual) return Side{0, jet.normal()};
+    return Side{believe(sag, jet.residual) * dot(jet.normal(), n), jet.normal()};
   }
 
+  // The points of the facets nearest to `middle`, from the seeds on and across no feature.
   struct Members {
     std::vector<Index> points;
     bool at_feature = false;  // the patch ends at one
   };
 
-  // The points of the facets nearest to `middle`, from the seeds on and across no feature.
   Members gather(std::vector<Index> seeds, Vec3 middle, Vec3 n, double radius) const {
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
@@ -206,6 +216,7 @@ class Refiner {
   const Mesh& mesh_;
   const std::vector<double>& spacing_;
   double roughness_;
+  double shortest_;
   const MeshEdges& edges_;
   const Network& network_;
   std::vector<Vec3> normals_;
@@ -258,10 +269,10 @@ void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& r
 }  // namespace
 
 std::vector<RefinePoint> refine_points(const Mesh& mesh, const std::vector<double>& spacing,
-                                       double roughness, Job& job) {
+                                       double roughness, Job& job, double shortest) {
   const MeshEdges edges = collect_edges(mesh, job);
   const Network network = crease_network(mesh, edges, job);
-  const Refiner refiner(mesh, spacing, roughness, edges, network);
+  const Refiner refiner(mesh, spacing, roughness, shortest, edges, network);
   Lifts lifts(edges.edges.size());
   parallel_chunks(lifts.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
