@@ -22,6 +22,8 @@ constexpr int most_attempts = 3;
 // Points nearer than this to a vertex left out are taken back, in units of the spacing of the
 // samples.
 constexpr double withdrawal = 2;
+// In units of spacing, which is half of that of the samples at points of the first round.
+constexpr double second_sag = 0.006;
 // Swaps are sought at edges that turn by more.
 constexpr double sharp_turning = radians(30);
 
@@ -37,27 +39,29 @@ Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
   return {topology.components, topology.euler};
 }
 
-// Delaunay of the points of the stage and the added ones.
+// The stage with the added points among its own.
 Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& frame,
                   const std::vector<RefinePoint>& added, Job& job) {
   Stage next;
   next.model = stage.model;
   next.roughness = stage.roughness;
-  std::vector<Vec3> points = stage.mesh.points;
   Sides& sides = next.model.sides;
-  if (sides.first.empty()) sides.first.assign(points.size() + 1, 0);
+  if (sides.first.empty()) sides.first.assign(stage.mesh.points.size() + 1, 0);
+  std::vector<Vec3> positions;
+  std::vector<Index> near;
   std::vector<LiftedPoint> lifted;
   for (const RefinePoint& p : added) {
-    points.push_back(frame.to_local(frame.to_user(p.position)));
+    positions.push_back(frame.to_local(frame.to_user(p.position)));
+    near.push_back(p.near);
     lifted.push_back({p.foot, p.near, p.normals});
     next.model.spacing.push_back(p.spacing);
     sides.normal.insert(sides.normal.end(), p.normals.begin(), p.normals.end());
     sides.first.push_back(static_cast<Index>(sides.normal.size()));
   }
-  const std::size_t all = points.size();
-  next.mesh = delaunay(std::move(points), all, job);
+  Extension extension = add_points(stage.mesh, positions, near, job);
+  next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);
-  next.seeds = lifted_seeds(stage.mesh, stage.stars, labels, stage.seeds, next.mesh, lifted,
+  next.seeds = lifted_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, lifted,
                             next.model.spacing, job);
   return next;
 }
@@ -109,12 +113,10 @@ void swap_at_bends(Stage& stage, Labels& labels, Report& report, Job& job) {
   run_swaps(stage, labels, report, job);
 }
 
-}  // namespace
-
-std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
-                           Job& job) {
+std::size_t refine_once(const Samples& samples, const RefineWish& wish, Stage& stage,
+                        Labels& labels, Report& report, Job& job) {
   std::vector<RefinePoint> added =
-      refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, job);
+      refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, wish, job);
   const Topology wanted = topology_of(stage, labels, job);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
@@ -125,12 +127,22 @@ std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels,
       stage = std::move(next);
       labels = std::move(cut.labels);
       report = std::move(trial);
-      if (report.options.swap) swap_at_bends(stage, labels, report, job);
       return added.size();
     }
     withdraw(stage, labels, next, cut.labels, added);
   }
   return 0;
+}
+
+}  // namespace
+
+std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
+                           Job& job) {
+  std::size_t added = refine_once(samples, {}, stage, labels, report, job);
+  if (added > 0)
+    added += refine_once(samples, {.least_sag = second_sag}, stage, labels, report, job);
+  if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
+  return added;
 }
 
 }  // namespace arris
