@@ -12,6 +12,8 @@
 #include "seed/lifted.h"
 #include "surface/extract.h"
 #include "surface/mesh_topology.h"
+#include "swap/flat.h"
+#include "swap/swap.h"
 #include "tetra/delaunay.h"
 
 namespace arris {
@@ -26,6 +28,8 @@ constexpr double withdrawal = 2;
 constexpr double second_sag = 0.006;
 // Swaps are sought at edges that turn by more.
 constexpr double sharp_turning = radians(30);
+// An edge that turns by more is a fold.
+constexpr double fold_turning = radians(150);
 
 struct Topology {
   std::size_t components;
@@ -94,25 +98,40 @@ Mesh surface_of(const Stage& stage, const Labels& labels) {
   return mesh;
 }
 
-// Swaps where the surface turns sharply, and on from what they change. Beside features the cut
-// leaves needles that stand up, as their area is next to nothing. Elsewhere swaps would undo what
-// the new points gain: they trade round triangles for flat ones.
-void swap_at_bends(Stage& stage, Labels& labels, Report& report, Job& job) {
-  const Mesh surface = surface_of(stage, labels);
-  std::vector<std::uint8_t> bent(stage.mesh.points.size(), 0);
-  for (const MeshEdge& e : collect_edges(surface, job).edges)
-    if (std::abs(e.turning) > sharp_turning)
+// 1 at the corners of facets at edges that turn by more than an angle.
+std::vector<std::uint8_t> at_bends(const Mesh& surface, const MeshEdges& edges, double turning) {
+  std::vector<std::uint8_t> bent(surface.vertices.size(), 0);
+  for (const MeshEdge& e : edges.edges)
+    if (std::abs(e.turning) > turning)
       for (Index f : e.faces)
         for (Index v : surface.triangles[f]) bent[v] = 1;
-  stage.settled.assign(stage.mesh.size(), 1);
-  for (std::size_t t = 0; t < stage.mesh.finite; ++t) {
-    const auto& corners = stage.mesh.vertices[t];
-    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return bent[v]; }))
-      stage.settled[t] = 0;
-  }
-  run_swaps(stage, labels, report, job);
+  return bent;
 }
 
+// Swaps where the surface turns sharply, and on from what they change. Beside features the cut
+// leaves needles that stand up, as their area is next to nothing, and flat ones folded over.
+// Elsewhere swaps would undo what the new points gain: they trade round triangles for flat ones.
+void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job) {
+  const Mesh surface = surface_of(stage, labels);
+  const MeshEdges edges = collect_edges(surface, job);
+  const auto bent = at_bends(surface, edges, sharp_turning);
+  const auto folded = at_bends(surface, edges, fold_turning);
+  SwapOptions options;
+  options.keep_samples = report.options.keep_samples;
+  options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
+  options.settled.assign(stage.mesh.size(), 1);
+  for (std::size_t t = 0; t < stage.mesh.finite; ++t) {
+    const auto& corners = stage.mesh.vertices[t];
+    const auto all = [&](const auto& marked) {
+      return std::all_of(corners.begin(), corners.end(), [&](Index v) { return marked[v] != 0; });
+    };
+    if (all(bent)) options.settled[t] = 0;
+    if (all(folded)) options.frozen[t] = 0;
+  }
+  report.swaps += swap_tetrahedra(stage.mesh, stage.model, options, labels, job).accepted;
+}
+
+// One round; returns the number of points added.
 std::size_t refine_once(const Samples& samples, const RefineWish& wish, Stage& stage,
                         Labels& labels, Report& report, Job& job) {
   std::vector<RefinePoint> added =
