@@ -156,10 +156,9 @@ std::size_t refine_once(const Samples& samples, const RefineWish& wish, Stage& s
 }  // namespace
 
 std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
-                           Job& job) {
-  std::size_t added = refine_once(samples, {}, stage, labels, report, job);
-  if (added > 0)
-    added += refine_once(samples, {.least_sag = second_sag}, stage, labels, report, job);
+                           Job& job, double shortest) {
+  std::size_t added = refine_once(samples, {.shortest = shortest}, stage, labels, report, job);
+  if (added > 0) added += refine_once(samples, {shortest, second_sag}, stage, labels, report, job);
   if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
   return added;
 }
