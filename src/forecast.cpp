@@ -17,9 +17,9 @@ constexpr double bytes_per_background_point = 1200;
 // While features are added two tetrahedral meshes are held: 2080 bytes a point in all for 200k
 // points.
 constexpr double bytes_to_sharpen = 1200;
-// Points are added over up to three edges a sample, while both meshes are held: 3570 bytes a point
-// in all for 60k points of a sphere with 2.2 added to each.
-constexpr double bytes_to_refine = 3 * 1200;
+// Points are added twice, while both meshes are held: 12 kB a point in all for 6,000 points of a
+// model with 9.8 added to each; less where samples are dense and the second round finds little.
+constexpr double bytes_to_refine = 9 * 1200;
 constexpr double bytes_fixed = 32e6;
 
 std::string in_gigabytes(double bytes) {

@@ -36,7 +36,7 @@ struct Shares {
   double samples, outliers, noise, delaunay, seeds, background, cut, swap, features, refine, check;
 };
 constexpr Shares automatic_shares = {0.01, 0.03, 0.04, 0.07, 0.04, 0, 0.04, 0.11, 0.48, 0, 0.07};
-constexpr Shares refine_shares = {0.01, 0.02, 0.02, 0.04, 0.02, 0, 0.02, 0.06, 0.28, 0.43, 0.04};
+constexpr Shares refine_shares = {0.01, 0.02, 0.02, 0.03, 0.02, 0, 0.01, 0.04, 0.20, 0.61, 0.04};
 constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0, 0.03};
 constexpr Shares not_foreseen = {};  // of what is done once more
 

@@ -1,14 +1,19 @@
 #include "refine_stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "base/angle.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
+#include "feature/mesh_edges.h"
 #include "feature/refine.h"
 #include "seed/lifted.h"
 #include "surface/extract.h"
 #include "surface/mesh_topology.h"
+#include "swap/flat.h"
+#include "swap/swap.h"
 #include "tetra/delaunay.h"
 
 namespace arris {
@@ -19,6 +24,12 @@ constexpr int most_attempts = 3;
 // Points nearer than this to a vertex left out are taken back, in units of the spacing of the
 // samples.
 constexpr double withdrawal = 2;
+// In units of spacing, which is half of that of the samples at points of the first round.
+constexpr double second_sag = 0.006;
+// Swaps are sought at edges that turn by more.
+constexpr double sharp_turning = radians(30);
+// An edge that turns by more is a fold.
+constexpr double fold_turning = radians(150);
 
 struct Topology {
   std::size_t components;
@@ -32,27 +43,29 @@ Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
   return {topology.components, topology.euler};
 }
 
-// Delaunay of the points of the stage and the added ones.
+// The stage with the added points among its own.
 Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& frame,
                   const std::vector<RefinePoint>& added, Job& job) {
   Stage next;
   next.model = stage.model;
   next.roughness = stage.roughness;
-  std::vector<Vec3> points = stage.mesh.points;
   Sides& sides = next.model.sides;
-  if (sides.first.empty()) sides.first.assign(points.size() + 1, 0);
+  if (sides.first.empty()) sides.first.assign(stage.mesh.points.size() + 1, 0);
+  std::vector<Vec3> positions;
+  std::vector<Index> near;
   std::vector<LiftedPoint> lifted;
   for (const RefinePoint& p : added) {
-    points.push_back(frame.to_local(frame.to_user(p.position)));
+    positions.push_back(frame.to_local(frame.to_user(p.position)));
+    near.push_back(p.near);
     lifted.push_back({p.foot, p.near, p.normals});
     next.model.spacing.push_back(p.spacing);
     sides.normal.insert(sides.normal.end(), p.normals.begin(), p.normals.end());
     sides.first.push_back(static_cast<Index>(sides.normal.size()));
   }
-  const std::size_t all = points.size();
-  next.mesh = delaunay(std::move(points), all, job);
+  Extension extension = add_points(stage.mesh, positions, near, job);
+  next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);
-  next.seeds = lifted_seeds(stage.mesh, stage.stars, labels, stage.seeds, next.mesh, lifted,
+  next.seeds = lifted_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, lifted,
                             next.model.spacing, job);
   return next;
 }
@@ -78,14 +91,51 @@ void withdraw(const Stage& old, const Labels& old_labels, const Stage& next, con
   });
 }
 
-}  // namespace
-
-std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
-                           Job& job) {
+Mesh surface_of(const Stage& stage, const Labels& labels) {
   Mesh mesh;
   mesh.vertices = stage.mesh.points;
   mesh.triangles = boundary_triangles(stage.mesh, labels);
-  std::vector<RefinePoint> added = refine_points(mesh, stage.model.spacing, stage.roughness, job);
+  return mesh;
+}
+
+// 1 at the corners of facets at edges that turn by more than an angle.
+std::vector<std::uint8_t> at_bends(const Mesh& surface, const MeshEdges& edges, double turning) {
+  std::vector<std::uint8_t> bent(surface.vertices.size(), 0);
+  for (const MeshEdge& e : edges.edges)
+    if (std::abs(e.turning) > turning)
+      for (Index f : e.faces)
+        for (Index v : surface.triangles[f]) bent[v] = 1;
+  return bent;
+}
+
+// Swaps where the surface turns sharply, and on from what they change. Beside features the cut
+// leaves needles that stand up, as their area is next to nothing, and flat ones folded over.
+// Elsewhere swaps would undo what the new points gain: they trade round triangles for flat ones.
+void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job) {
+  const Mesh surface = surface_of(stage, labels);
+  const MeshEdges edges = collect_edges(surface, job);
+  const auto bent = at_bends(surface, edges, sharp_turning);
+  const auto folded = at_bends(surface, edges, fold_turning);
+  SwapOptions options;
+  options.keep_samples = report.options.keep_samples;
+  options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
+  options.settled.assign(stage.mesh.size(), 1);
+  for (std::size_t t = 0; t < stage.mesh.finite; ++t) {
+    const auto& corners = stage.mesh.vertices[t];
+    const auto all = [&](const auto& marked) {
+      return std::all_of(corners.begin(), corners.end(), [&](Index v) { return marked[v] != 0; });
+    };
+    if (all(bent)) options.settled[t] = 0;
+    if (all(folded)) options.frozen[t] = 0;
+  }
+  report.swaps += swap_tetrahedra(stage.mesh, stage.model, options, labels, job).accepted;
+}
+
+// One round; returns the number of points added.
+std::size_t refine_once(const Samples& samples, const RefineWish& wish, Stage& stage,
+                        Labels& labels, Report& report, Job& job) {
+  std::vector<RefinePoint> added =
+      refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, wish, job);
   const Topology wanted = topology_of(stage, labels, job);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
@@ -101,6 +151,16 @@ std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels,
     withdraw(stage, labels, next, cut.labels, added);
   }
   return 0;
+}
+
+}  // namespace
+
+std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
+                           Job& job, double shortest) {
+  std::size_t added = refine_once(samples, {.shortest = shortest}, stage, labels, report, job);
+  if (added > 0) added += refine_once(samples, {shortest, second_sag}, stage, labels, report, job);
+  if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
+  return added;
 }
 
 }  // namespace arris

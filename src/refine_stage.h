@@ -5,11 +5,13 @@
 
 namespace arris {
 
-// Adds the points that the surface of `labels` lets sense, and cuts anew; swaps would undo what
-// they gain. Points near which the new surface leaves a vertex out, old or new, are taken back if
-// the topology of the surface is not what it was; if that does not mend it the stage stays as it
-// was. Returns the number of points added.
+// Adds the points that the surface of `labels` lets sense, and cuts anew; then again over edges
+// whose sag is still large. Points near which a new surface leaves a vertex out, old or new, are
+// taken back if its topology is not what it was; if that does not mend it the stage stays as it
+// was. At last swaps are made where the surface turns sharply; elsewhere they would undo what is
+// gained. Edges shorter than `shortest`, in units of spacing, take no point. Returns the number of
+// points added.
 std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
-                           Job& job);
+                           Job& job, double shortest = 0);
 
 }  // namespace arris

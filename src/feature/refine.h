@@ -17,15 +17,23 @@ struct RefinePoint {
   std::vector<Vec3> normals;  // outward, of the surface or, on a feature, the two that it lies on
 };
 
-// For the edges of a closed mesh over whose middle the sensed surface stands off by more than the
-// fit can err: the point of the surface there. The surface is sensed by jets of third order, fitted
-// to vertices that are reached without crossing a feature; over an edge of a feature the point lies
-// on the surfaces of both sides. Edges of features are also halved where a new point enters their
-// diametral ball, as Delaunay meshes would lose them otherwise (Ruppert, "A Delaunay refinement
-// algorithm for quality 2-dimensional mesh generation", 1995). `spacing`: h > 0 per vertex;
-// `roughness`: a length by which vertices lie off the surface. O(n log n), parallel; the result
-// does not depend on the number of threads.
+// Which edges take a point, in units of spacing.
+struct RefineWish {
+  double shortest = 0;  // shorter edges take none
+  // Nor do those over which the surface stands off by less: it halves no error that is seen.
+  double least_sag = 0.002;
+};
+
+// For the edges of a closed mesh over whose middle the sensed surface stands off: the point of the
+// surface there, as far as the fit can be believed. Edges shorter than `shortest`, in units of
+// spacing, take none, but where those of features must be halved for points beside them. The
+// surface is sensed by jets of third order, fitted to vertices that are reached without crossing a
+// feature; over an edge of a feature the point lies on the surfaces of both sides. Edges of
+// features are also halved where a new point enters their diametral ball, as Delaunay meshes would
+// lose them otherwise (Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh
+// generation", 1995). `spacing`: h > 0 per vertex; `roughness`: a length by which vertices lie off
+// the surface. O(n log n), parallel; the result does not depend on the number of threads.
 std::vector<RefinePoint> refine_points(const Mesh& mesh, const std::vector<double>& spacing,
-                                       double roughness, Job& job);
+                                       double roughness, const RefineWish& wish, Job& job);
 
 }  // namespace arris

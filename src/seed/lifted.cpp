@@ -34,20 +34,20 @@ Vec3 base_normal(const TetMesh& mesh, Tet t) {
 
 class Labeller {
  public:
-  Labeller(const TetMesh& coarse, const Stars& stars, const Labels& labels, const TetMesh& fine,
-           const std::vector<LiftedPoint>& lifted, const std::vector<double>& spacing)
+  Labeller(const TetMesh& coarse, const Labels& labels, const TetMesh& fine,
+           const std::vector<Tet>& former, const std::vector<LiftedPoint>& lifted,
+           const std::vector<double>& spacing)
       : coarse_(coarse),
-        stars_(stars),
         labels_(labels),
         fine_(fine),
+        former_(former),
         lifted_(lifted),
         spacing_(spacing),
         entry_(star_seeds(coarse)) {}
 
   void label(Tet t, const Circumball& ball, Seeds& seeds) const {
-    const auto& corners = fine_.vertices[t];
-    if (const Tet same = find_tet(coarse_, stars_, corners); same != no_tet) {
-      seeds.label[t] = labels_[same];
+    if (former_[t] != no_tet) {
+      seeds.label[t] = labels_[former_[t]];
       seeds.firm[t] = 1;
       return;
     }
@@ -59,7 +59,7 @@ class Labeller {
       return;
     }
     const bool bridge = is_bridge(fine_, t, base, h);
-    seeds.label[t] = bridge ? seed_free : label_below(corners);
+    seeds.label[t] = bridge ? seed_free : label_below(fine_.vertices[t]);
     seeds.hint[t] = base.height < flat_height * h;
     seeds.firm[t] = !bridge && !seeds.hint[t] && ball.radius > firm_radius * h;
   }
@@ -98,9 +98,9 @@ class Labeller {
   }
 
   const TetMesh& coarse_;
-  const Stars& stars_;
   const Labels& labels_;
   const TetMesh& fine_;
+  const std::vector<Tet>& former_;
   const std::vector<LiftedPoint>& lifted_;
   const std::vector<double>& spacing_;
   std::vector<Tet> entry_;
@@ -108,12 +108,13 @@ class Labeller {
 
 }  // namespace
 
-Seeds lifted_seeds(const TetMesh& coarse, const Stars& stars, const Labels& labels,
-                   const Seeds& seeds, const TetMesh& fine, const std::vector<LiftedPoint>& lifted,
-                   const std::vector<double>& spacing, Job& job) {
+Seeds lifted_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
+                   const TetMesh& fine, const std::vector<Tet>& former,
+                   const std::vector<LiftedPoint>& lifted, const std::vector<double>& spacing,
+                   Job& job) {
   job.tick(0);
   const std::vector<Circumball> balls = circumballs(fine, job.threads());
-  const Labeller labeller(coarse, stars, labels, fine, lifted, spacing);
+  const Labeller labeller(coarse, labels, fine, former, lifted, spacing);
   Seeds result;
   result.contradiction = seeds.contradiction;
   result.confidence = seeds.confidence;

@@ -122,6 +122,19 @@ TEST(Refine, AddedPointsLieOnTheSmoothSurface) {
   }
 }
 
+// One round quarters the chord error at best.
+TEST(Refine, LongEdgesAreHalvedTwice) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> coordinate;
+  PointCloud cloud;
+  for (int k = 0; k < 1500; ++k)
+    cloud.positions.push_back(
+        onto_sphere({coordinate(random), coordinate(random), coordinate(random)}));
+  const Reconstruction plain = run(cloud, false), fine = run(cloud);
+  EXPECT_EQ(fine.report.certificate.euler, 2);
+  EXPECT_LT(mean_off_of_middles(sphere, fine.mesh), 0.15 * mean_off_of_middles(sphere, plain.mesh));
+}
+
 TEST(Refine, PlanesTakeNoPoint) {
   for (const char* name : {"cube", "l_bracket", "dodecahedron"}) {
     const PointCloud cloud = blue_cloud(name, 1200);
