@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
+#include "base/distinct.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "noise/height_fit.h"
@@ -64,6 +67,11 @@ constexpr double least_near = 0.3;
 
 // The level of a sample is the median of those of the nearest places.
 constexpr std::size_t smoothing_sites = 8;
+
+// Large clouds are found clean by a sample of their places: so many at first, and with less than
+// exp(-14), a millionth, of a chance of error.
+constexpr std::size_t first_sample = 64;
+constexpr double certainty = 14;
 
 constexpr double unknown = -1;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -222,17 +230,123 @@ bool is_even(const std::vector<Curve>& pooled) {
   return *low >= even_share * middle;
 }
 
-// Is there noise in this cloud at all? Clean ones have places that look noisy.
-bool is_noisy(const std::vector<Verdict>& verdicts, const std::vector<Curve>& pooled) {
-  double all = 0, quadrics = 0, plane = 0;
-  for (const Verdict& v : verdicts) {
+// How many places say that there is noise, and of how many.
+struct Evidence {
+  double all = 0, quadrics = 0, plane = 0, places = 0;
+
+  void add(const Verdict& v) {
     all += v.by_all ? 1 : 0;
     quadrics += v.by_quadrics ? 1 : 0;
     plane += v.by_plane ? 1 : 0;
+    places += 1;
   }
-  const double n = static_cast<double>(verdicts.size());
-  return all >= least_by_all * n || quadrics >= least_by_quadrics * n ||
-         plane >= least_by_plane * n || (plane >= least_if_even * n && is_even(pooled));
+};
+
+// Is there noise in this cloud at all? Clean ones have places that look noisy.
+bool is_noisy(const std::vector<Verdict>& verdicts, const std::vector<Curve>& pooled) {
+  Evidence e;
+  for (const Verdict& v : verdicts) e.add(v);
+  return e.all >= least_by_all * e.places || e.quadrics >= least_by_quadrics * e.places ||
+         e.plane >= least_by_plane * e.places ||
+         (e.plane >= least_if_even * e.places && is_even(pooled));
+}
+
+// Whether so few of a sample of places would say so, were it `limit` of all, that the chance is
+// below exp(-certainty): Chernoff's bound.
+bool is_surely_below(double count, double places, double limit) {
+  const double share = count / places;
+  if (share >= limit) return false;
+  const double agreeing = share > 0 ? share * std::log(share / limit) : 0;
+  return places * (agreeing + (1 - share) * std::log((1 - share) / (1 - limit))) >= certainty;
+}
+
+bool is_surely_clean(const Evidence& e) {
+  return is_surely_below(e.all, e.places, least_by_all) &&
+         is_surely_below(e.quadrics, e.places, least_by_quadrics) &&
+         is_surely_below(e.plane, e.places, std::min(least_by_plane, least_if_even));
+}
+
+// The places to measure at. Each is measured once, when it is first asked for.
+class Sites {
+ public:
+  Sites(const std::vector<Vec3>& points, const NearestSample& tree, std::vector<Vec3> at)
+      : points_(points),
+        tree_(tree),
+        at_(std::move(at)),
+        near_(at_),
+        curves_(at_.size()),
+        measured_(at_.size(), 0) {}
+
+  std::size_t size() const { return at_.size(); }
+
+  // Sites near site i, itself the first.
+  void find_near(std::size_t i, std::vector<NearestSample::Hit>& hits) const {
+    near_.nearest(at_[i], pooled_sites, hits);
+  }
+  void find_near(Vec3 p, std::size_t count, std::vector<NearestSample::Hit>& hits) const {
+    near_.nearest(p, count, hits);
+  }
+
+  void measure(const std::vector<Index>& which, Job& job) {
+    parallel_chunks(which.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (measured_[which[k]]) continue;
+        curves_[which[k]] = measure_curve(points_, tree_, at_[which[k]]);
+        measured_[which[k]] = 1;
+      }
+    });
+  }
+
+  // All sites near i must have been measured.
+  Curve pooled(std::size_t i, std::vector<NearestSample::Hit>& hits) const {
+    find_near(i, hits);
+    return pool(curves_, hits);
+  }
+
+ private:
+  const std::vector<Vec3>& points_;
+  const NearestSample& tree_;
+  std::vector<Vec3> at_;
+  NearestSample near_;
+  std::vector<Curve> curves_;
+  std::vector<std::uint8_t> measured_;
+};
+
+// The sites number k of van der Corput's sequence, begin <= k < end: evenly spread along the curve
+// that samples are in the order of, whatever `end` is.
+std::vector<Index> spread_out(std::size_t begin, std::size_t end, std::size_t sites) {
+  std::vector<Index> places;
+  for (std::size_t k = begin; k < end; ++k) {
+    double position = 0, step = 0.5;
+    for (std::size_t bits = k; bits > 0; bits >>= 1, step /= 2)
+      if (bits & 1) position += step;
+    places.push_back(static_cast<Index>(position * static_cast<double>(sites)));
+  }
+  return places;
+}
+
+// Looks at a sample of the sites, doubled until it is clear that the cloud has no noise, or not
+// clear that it has none. False says nothing.
+bool is_clean_by_sample(Sites& sites, Job& job) {
+  Evidence evidence;
+  std::vector<NearestSample::Hit> hits;
+  for (std::size_t n = first_sample; n * pooled_sites <= sites.size(); n *= 2) {
+    const std::vector<Index> places =
+        spread_out(static_cast<std::size_t>(evidence.places), n, sites.size());
+    std::vector<Index> needed;
+    for (Index i : places) {
+      sites.find_near(i, hits);
+      for (const auto& h : hits) needed.push_back(h.index);
+    }
+    keep_distinct(needed);
+    sites.measure(needed, job);
+    for (Index i : places) evidence.add(judge(sites.pooled(i, hits)));
+    if (is_surely_clean(evidence)) return true;
+    if (evidence.plane >= least_if_even * evidence.places ||
+        evidence.all >= least_by_all * evidence.places)
+      return false;
+  }
+  return false;
 }
 
 // The level at a site whose own curve is not that of noise alone: that of the places nearby.
@@ -260,19 +374,19 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
   if (points.size() < fewest_points) return result;
   const std::size_t stride =
       std::clamp<std::size_t>(points.size() / fewest_sites, 1, longest_stride);
-  std::vector<Vec3> sites;
-  for (std::size_t i = 0; i < points.size(); i += stride) sites.push_back(points[i]);
-  std::vector<Curve> curves(sites.size()), pooled(sites.size());
-  parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) curves[i] = measure_curve(points, tree, sites[i]);
-  });
-  const NearestSample site_tree(sites);
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < points.size(); i += stride) places.push_back(points[i]);
+  Sites sites(points, tree, std::move(places));
+  if (is_clean_by_sample(sites, job)) return result;
+  std::vector<Index> all(sites.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  sites.measure(all, job);
+  std::vector<Curve> pooled(sites.size());
   std::vector<Verdict> verdicts(sites.size());
   parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<NearestSample::Hit> hits;
     for (std::size_t i = begin; i < end; ++i) {
-      site_tree.nearest(sites[i], pooled_sites, hits);
-      pooled[i] = pool(curves, hits);
+      pooled[i] = sites.pooled(i, hits);
       verdicts[i] = judge(pooled[i]);
     }
   });
@@ -289,7 +403,7 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
     std::vector<NearestSample::Hit> hits;
     for (std::size_t i = begin; i < end; ++i) {
       if (levels[i] != unknown) continue;
-      site_tree.nearest(sites[i], pooled_sites, hits);
+      sites.find_near(i, hits);
       filled[i] = borrowed_level(levels, pooled[i], hits, usual);
     }
   });
@@ -297,7 +411,7 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
     std::vector<NearestSample::Hit> hits;
     std::vector<double> near;
     for (std::size_t i = begin; i < end; ++i) {
-      site_tree.nearest(points[i], smoothing_sites, hits);
+      sites.find_near(points[i], smoothing_sites, hits);
       near.clear();
       for (const auto& h : hits) near.push_back(filled[h.index]);
       result[i] = median(near);
