@@ -2,6 +2,8 @@
 // the same points in the same run.
 //
 //   scaling_bench N [--paper]         one line of JSON
+//   scaling_bench N --to-cut [RUNS]   processor time of one thread for all that the default does
+//                                     before the first swap, and that of CGAL: medians of RUNS (3)
 //   scaling_bench N --write FILE.ply  the points alone, for the peers
 //
 // The speed suite of bench/benchmark.py runs it over sizes.
@@ -11,12 +13,16 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <arris/arris.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "truth/random.h"
@@ -35,13 +41,24 @@ std::vector<arris::Vec3> bumpy_sphere(std::size_t n) {
   return points;
 }
 
-double cgal_delaunay_seconds(const std::vector<arris::Vec3>& points) {
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Of the whole process.
+double processor_seconds() {
+  std::timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double cgal_delaunay_seconds(const std::vector<arris::Vec3>& points, double (*clock)()) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> input;
   for (const arris::Vec3& p : points) input.emplace_back(p.x, p.y, p.z);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = clock();
   const CGAL::Delaunay_triangulation_3<Kernel> triangulation(input.begin(), input.end());
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return clock() - start;
 }
 
 // One line of JSON: times and memory of arris, stage by stage, and the time of CGAL.
@@ -56,6 +73,61 @@ void print(std::size_t n, const arris::Reconstruction& result, double cgal_secon
   }
   std::printf("], \"triangles\": %zu, \"cgal_delaunay_seconds\": %.6f}\n",
               result.mesh.triangles.size(), cgal_seconds);
+}
+
+struct StageTime {
+  std::string name;
+  double seconds = 0;
+};
+
+// Processor time of the stages before the first swap, on one thread, with all defaults on: the run
+// is cancelled there.
+std::vector<StageTime> times_to_cut(const arris::PointCloud& cloud) {
+  std::vector<StageTime> stages;
+  std::atomic<bool> stop = false;
+  double last = processor_seconds();
+  arris::Context context;
+  context.threads = 1;
+  context.cancel = &stop;
+  context.progress = [&](std::string_view stage, double) {
+    const double now = processor_seconds();
+    if (!stages.empty()) stages.back().seconds += now - last;
+    last = now;
+    if (stage == "swap")
+      stop = true;
+    else if (stages.empty() || stages.back().name != stage)
+      stages.push_back({std::string(stage), 0});
+  };
+  (void)arris::reconstruct(cloud, {}, context);
+  return stages;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// One line of JSON: medians of so many runs, CGAL and arris by turns.
+void print_to_cut(const arris::PointCloud& cloud, std::size_t runs) {
+  std::vector<std::vector<StageTime>> all;
+  std::vector<double> cgal, whole, ratio;
+  for (std::size_t k = 0; k < runs; ++k) {
+    cgal.push_back(cgal_delaunay_seconds(cloud.positions, processor_seconds));
+    all.push_back(times_to_cut(cloud));
+    double sum = 0;
+    for (const StageTime& stage : all.back()) sum += stage.seconds;
+    whole.push_back(sum);
+    ratio.push_back(sum / cgal.back());
+  }
+  std::printf("{\"points\": %zu, \"stages\": [", cloud.positions.size());
+  for (std::size_t s = 0; s < all[0].size(); ++s) {
+    std::vector<double> seconds;
+    for (const auto& stages : all) seconds.push_back(stages[s].seconds);
+    std::printf("%s{\"name\": \"%s\", \"seconds\": %.6f}", s > 0 ? ", " : "",
+                all[0][s].name.c_str(), median(seconds));
+  }
+  std::printf("], \"to_cut_seconds\": %.6f, \"cgal_delaunay_seconds\": %.6f, \"ratio\": %.3f}\n",
+              median(whole), median(cgal), median(ratio));
 }
 
 int fail(const arris::Error& error) {
@@ -76,10 +148,14 @@ int main(int argc, char** argv) {
   }
   arris::PointCloud cloud;
   cloud.positions = bumpy_sphere(n);
+  if (option == "--to-cut") {
+    print_to_cut(cloud, argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 3);
+    return 0;
+  }
   arris::Options options;
   if (option == "--paper") options.method = arris::Method::paper;
   const arris::Result<arris::Reconstruction> result = arris::reconstruct(cloud, options);
   if (!result) return fail(result.error());
-  print(n, *result, cgal_delaunay_seconds(cloud.positions));
+  print(n, *result, cgal_delaunay_seconds(cloud.positions, wall_seconds));
   return 0;
 }

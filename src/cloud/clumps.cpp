@@ -9,9 +9,6 @@
 namespace arris {
 namespace {
 
-// Neighbours farther apart than this many reaches of either belong together through others only.
-constexpr double link = 2.5;
-
 // A group that is this many times smaller than the model may be a clump.
 constexpr std::size_t minor = 3;
 
@@ -70,7 +67,7 @@ class Groups {
     return p;
   }
   void join(Index p, Index q) {
-    if (distance(near_.point(p), near_.point(q)) > link * std::min(near_.reach(p), near_.reach(q)))
+    if (!are_linked(distance(near_.point(p), near_.point(q)), near_.reach(p), near_.reach(q)))
       return;
     const Index a = root(p), b = root(q);
     up_[std::max(a, b)] = std::min(a, b);
@@ -128,6 +125,11 @@ bool is_clump(const Neighbours& near, const std::vector<Index>& group, std::size
 }
 
 }  // namespace
+
+bool are_linked(double distance, double reach_a, double reach_b) noexcept {
+  constexpr double link = 2.5;  // reaches of either
+  return distance <= link * std::min(reach_a, reach_b);
+}
 
 std::vector<std::uint8_t> find_clumps(const Neighbours& neighbours) {
   std::vector<std::uint8_t> clump(neighbours.size(), 0);

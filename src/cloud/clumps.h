@@ -8,6 +8,9 @@
 
 namespace arris {
 
+// Whether two neighbours at this distance belong together; else they may through others only.
+bool are_linked(double distance, double reach_a, double reach_b) noexcept;
+
 // 1 for every point left in a group that is too small or too thin to bound a solid beside the
 // largest one, or that fills space instead of a surface. Groups are joined through neighbours at
 // distances comparable with the reach of both. Complexity: O(n) near enough.

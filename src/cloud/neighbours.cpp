@@ -20,12 +20,13 @@ Neighbours::Neighbours(const std::vector<Vec3>& points, Job& job)
   find(all, job);
 }
 
-Flatness Neighbours::flatness_at(Index p, Index without) const {
-  std::array<Vec3, patch + 1> around;
+Flatness flatness_round(const std::vector<Vec3>& points, Index p, std::span<const Index> neighbours,
+                        Index without) {
+  std::array<Vec3, Neighbours::patch + 1> around;
   std::size_t n = 0;
-  around[n++] = points_[p];
-  for (std::size_t j = 0; j < count && n <= patch; ++j)
-    if (of_[p][j] != without) around[n++] = points_[of_[p][j]];
+  around[n++] = points[p];
+  for (std::size_t j = 0; j < neighbours.size() && n <= Neighbours::patch; ++j)
+    if (neighbours[j] != without) around[n++] = points[neighbours[j]];
   return flatness({around.data(), n});
 }
 

@@ -11,6 +11,10 @@
 
 namespace arris {
 
+// How flat point p and the nearest of its neighbours lie; `without` is not counted.
+Flatness flatness_round(const std::vector<Vec3>& points, Index p, std::span<const Index> neighbours,
+                        Index without);
+
 class Neighbours {
  public:
   static constexpr std::size_t count = 16;  // per point
@@ -29,7 +33,9 @@ class Neighbours {
   std::size_t left() const noexcept { return left_; }
 
   // How flat p and its nearest neighbours lie; `without` is not counted.
-  Flatness flatness_at(Index p, Index without = no_index) const;
+  Flatness flatness_at(Index p, Index without = no_index) const {
+    return flatness_round(points_, p, of_[p], without);
+  }
 
   // Takes out the marked points and finds new neighbours for those that lost one. At most left() -
   // count - 1 may be marked.

@@ -1,15 +1,14 @@
 #include "cloud/outliers.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "base/parallel.h"
-#include "base/vec.h"
 #include "cloud/clumps.h"
 #include "cloud/neighbours.h"
+#include "cloud/quick_look.h"
+#include "cloud/stray.h"
 
 namespace arris {
 namespace {
@@ -17,41 +16,11 @@ namespace {
 // Smaller clouds are left alone: sixteen neighbours are no neighbourhood there.
 constexpr std::size_t smallest_cloud = 100;
 
-// The reach of a stray against the median of its neighbours'. On clean clouds the largest were 1.6
-// (blue noise), 1.9 (graded ten to one), 2.3 (uniformly random), 2.0 (scans).
-constexpr double sparse_ratio = 2;
-
-// Beyond this ratio a point is a stray wherever it lies.
-constexpr double far_ratio = 4;
-
-// A point continues the surface at a neighbour if the neighbour's patch is flat (variances) and its
-// plane passes the point at less than this sine.
-constexpr double flat_enough = 0.1, in_plane_sine = 0.25;
-
 // How much the reach of a surface may grow from a stray to its neighbour.
 constexpr double growth = 1.05;
 
 // If more than this share are strays there is no surface to tell them from.
 constexpr double most_outliers = 0.5;
-
-double reach_of_company(const Neighbours& near, Index p) {
-  std::array<double, Neighbours::count> reach;
-  for (std::size_t j = 0; j < reach.size(); ++j) reach[j] = near.reach(near.of(p)[j]);
-  const auto middle = reach.begin() + reach.size() / 2;
-  std::nth_element(reach.begin(), middle, reach.end());
-  return *middle;
-}
-
-bool continues_surface(const Neighbours& near, Index p) {
-  for (Index q : near.of(p)) {
-    const Vec3 d = near.point(p) - near.point(q);
-    const Flatness f = near.flatness_at(q, p);
-    if (f.least <= flat_enough * f.middle &&
-        std::abs(dot(d, f.normal)) <= in_plane_sine * length(d))
-      return true;
-  }
-  return false;
-}
 
 // Takes away the strays that have surface for company, round after round, until there are none.
 class Peeling {
@@ -67,7 +36,7 @@ class Peeling {
     for (;;) {
       parallel_for(near_.size(), job.threads(), [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
-        stray_[i] = !near_.gone(p) && is_stray(p);
+        stray_[i] = !near_.gone(p) && is_stray(near_, p, expected(p));
       });
       const auto n = static_cast<std::size_t>(std::count(stray_.begin(), stray_.end(), 1));
       if (n == 0 || near_.left() - n < fewest) return;
@@ -78,11 +47,6 @@ class Peeling {
 
  private:
   double expected(Index p) const { return std::min(reach_of_company(near_, p), expected_[p]); }
-
-  bool is_stray(Index p) const {
-    const double ratio = near_.reach(p) / expected(p);
-    return ratio > sparse_ratio && (ratio > far_ratio || !continues_surface(near_, p));
-  }
 
   // What was expected of a stray is expected of its neighbours, whose company may be all strays.
   void hand_on(Job& job) {
@@ -105,6 +69,7 @@ class Peeling {
 
 std::vector<std::uint8_t> find_outliers(const std::vector<Vec3>& points, Job& job) {
   if (points.size() < smallest_cloud) return std::vector<std::uint8_t>(points.size(), 0);
+  if (has_no_outliers(points, job)) return std::vector<std::uint8_t>(points.size(), 0);
   Neighbours near(points, job);
   Peeling(near).run(job);
   std::vector<std::uint8_t> outlier = find_clumps(near);

@@ -145,9 +145,9 @@ void fill_capacities(const TetMesh& mesh, const std::vector<double>& spacing,
 
 std::size_t join_stumps(const TetMesh& mesh, const std::vector<double>& spacing, Labels& labels,
                         Job& job) {
+  if (find_stumps(mesh, surface_near_gaps(mesh, spacing, labels)).axes.empty()) return 0;
   const CutSurface surface = cut_surface_of(mesh, spacing, labels);
   const Stumps stumps = find_stumps(mesh, surface);
-  if (stumps.axes.empty()) return 0;
   const Flags loose = with_rims(surface, stumps.cap);
   CutProblem problem;
   problem.seed = fixed_labels(mesh, surface, loose, labels);

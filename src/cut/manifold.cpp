@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "tetra/facet_stars.h"
 
 namespace arris {
 namespace {
@@ -82,6 +83,14 @@ void find_parts(const TetMesh& mesh, const Labels& labels, std::span<const Tet> 
   }
 }
 
+// Of facet i of t, outward.
+Triangle corners_of(const TetMesh& mesh, Tet t, std::size_t i) {
+  Triangle corners;
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = mesh.vertices[t][static_cast<std::size_t>(facet_corners[i][k])];
+  return corners;
+}
+
 // The curve between inside and outside on the link of a vertex, as directed edges (from, to) with
 // the inside on the left.
 class LinkCurve {
@@ -90,15 +99,14 @@ class LinkCurve {
     edges_.clear();
     for (Tet t : star) {
       if (!labels[t]) continue;
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (mesh.vertices[t][i] == v || labels[mesh.neighbours[t][i]]) continue;
-        std::array<Index, 3> corner;
-        for (std::size_t k = 0; k < 3; ++k)
-          corner[k] = mesh.vertices[t][static_cast<std::size_t>(facet_corners[i][k])];
-        const std::size_t at = corner[0] == v ? 0 : corner[1] == v ? 1 : 2;
-        edges_.push_back({corner[(at + 1) % 3], corner[(at + 2) % 3]});
-      }
+      for (std::size_t i = 0; i < 4; ++i)
+        if (mesh.vertices[t][i] != v && !labels[mesh.neighbours[t][i]])
+          add(corners_of(mesh, t, i), v);
     }
+  }
+  void collect(const std::vector<Triangle>& triangles, std::span<const Index> star, Index v) {
+    edges_.clear();
+    for (Index t : star) add(triangles[t], v);
   }
 
   // No curve, or one simple closed curve.
@@ -121,6 +129,11 @@ class LinkCurve {
   struct Edge {
     Index from, to;
   };
+  void add(const Triangle& facet, Index v) {
+    const std::size_t at = facet[0] == v ? 0 : facet[1] == v ? 1 : 2;
+    edges_.push_back({facet[(at + 1) % 3], facet[(at + 2) % 3]});
+  }
+
   std::vector<Edge> edges_;
 };
 
@@ -151,11 +164,18 @@ class Untangler {
 
  private:
   std::vector<Index> singular_vertices(unsigned threads) const {
+    std::vector<Triangle> facets;
+    for (Tet t = 0; t < mesh_.finite; ++t) {
+      if (!labels_[t]) continue;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (!labels_[mesh_.neighbours[t][i]]) facets.push_back(corners_of(mesh_, t, i));
+    }
+    const FacetStars stars(mesh_.points.size(), facets);
     std::vector<std::uint8_t> singular(mesh_.points.size());
     parallel_chunks(singular.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
       LinkCurve curve;
       for (std::size_t v = begin; v < end; ++v) {
-        curve.collect(mesh_, labels_, stars_[static_cast<Index>(v)], static_cast<Index>(v));
+        curve.collect(facets, stars[static_cast<Index>(v)], static_cast<Index>(v));
         singular[v] = !curve.is_simple();
       }
     });

@@ -1,6 +1,7 @@
 #include "cut/stumps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -38,6 +39,15 @@ double reach_of(Vec3 a, Vec3 b, Vec3 c) {
   return std::max(0.5 * ac / cos_a, 0.5 * bc / cos_b);
 }
 
+// False without a root if the points are near enough together that no point of the triangle is so
+// far from a corner: the circumradius of an acute triangle is at most its longest side over root
+// three, and an obtuse one's farthest point is nearer than half of that side.
+bool may_reach(Vec3 a, Vec3 b, Vec3 c, double far) {
+  constexpr double slack = 0.999;  // for rounding
+  return std::max({squared_length(a - b), squared_length(b - c), squared_length(c - a)}) >
+         3 * slack * far * far;
+}
+
 // A connected region of facets that span a gap.
 struct Region {
   std::vector<std::size_t> facets;
@@ -71,6 +81,71 @@ std::vector<Region> find_regions(const CutSurface& s) {
     if (region.area >= smallest_cap) regions.push_back(std::move(region));
   }
   return regions;
+}
+
+struct FacetName {
+  Tet inside;
+  std::uint32_t i;
+};
+
+std::array<Index, 3> corners_of(const TetMesh& mesh, const FacetName& f) {
+  const auto& v = mesh.vertices[f.inside];
+  const auto& k = facet_corners[f.i];
+  return {v[static_cast<std::size_t>(k[0])], v[static_cast<std::size_t>(k[1])],
+          v[static_cast<std::size_t>(k[2])]};
+}
+
+std::vector<FacetName> boundary_facets(const TetMesh& mesh, const Labels& labels) {
+  std::vector<FacetName> facets;
+  for (Tet t = 0; t < mesh.finite; ++t) {
+    if (!labels[t]) continue;
+    for (std::uint32_t i = 0; i < 4; ++i)
+      if (!labels[mesh.neighbours[t][i]]) facets.push_back({t, i});
+  }
+  return facets;
+}
+
+CutSurface::Facet measure_facet(const TetMesh& mesh, const std::vector<double>& spacing,
+                                const FacetName& f) {
+  const std::array<Index, 3> c = corners_of(mesh, f);
+  const double h = std::max({spacing[c[0]], spacing[c[1]], spacing[c[2]]});
+  const Vec3 n = facet_normal(mesh, f.inside, static_cast<int>(f.i));
+  const double twice = length(n);
+  const double reach = reach_of(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]) / h;
+  return {f.inside, f.i, c, (twice > 0 ? 1 / twice : 0) * n, 0.5 * twice / (h * h), reach};
+}
+
+CutSurface measure_all(const TetMesh& mesh, const std::vector<double>& spacing,
+                       const std::vector<FacetName>& facets) {
+  CutSurface s;
+  std::vector<Triangle> corners;
+  s.facets.reserve(facets.size());
+  corners.reserve(facets.size());
+  for (const FacetName& f : facets) {
+    s.facets.push_back(measure_facet(mesh, spacing, f));
+    corners.push_back(s.facets.back().corners);
+  }
+  s.points = mesh.points.size();
+  s.stars = FacetStars(s.points, corners);
+  return s;
+}
+
+// 1 at the points of every region that find_regions would find among all facets.
+std::vector<std::uint8_t> points_of_gaps(const TetMesh& mesh, const std::vector<double>& spacing,
+                                         const std::vector<FacetName>& facets) {
+  std::vector<FacetName> wide;
+  for (const FacetName& f : facets) {
+    const std::array<Index, 3> c = corners_of(mesh, f);
+    const double h = std::max({spacing[c[0]], spacing[c[1]], spacing[c[2]]});
+    if (may_reach(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]], likely_gap * h))
+      wide.push_back(f);
+  }
+  const CutSurface gaps = measure_all(mesh, spacing, wide);
+  std::vector<std::uint8_t> marked(mesh.points.size(), 0);
+  for (const Region& r : find_regions(gaps))
+    for (std::size_t k : r.facets)
+      for (Index v : gaps.facets[k].corners) marked[v] = 1;
+  return marked;
 }
 
 void measure(const TetMesh& mesh, const CutSurface& s, Region& region) {
@@ -126,27 +201,23 @@ bool face_each_other(const Region& a, const Region& b) {
 
 CutSurface cut_surface_of(const TetMesh& mesh, const std::vector<double>& spacing,
                           const Labels& labels) {
-  CutSurface s;
-  for (Tet t = 0; t < mesh.finite; ++t) {
-    if (!labels[t]) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (labels[mesh.neighbours[t][i]]) continue;
-      std::array<Index, 3> c;
-      for (std::size_t k = 0; k < 3; ++k)
-        c[k] = mesh.vertices[t][static_cast<std::size_t>(facet_corners[i][k])];
-      const double h = std::max({spacing[c[0]], spacing[c[1]], spacing[c[2]]});
-      const Vec3 n = facet_normal(mesh, t, static_cast<int>(i));
-      const double twice = length(n);
-      const double reach = reach_of(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]) / h;
-      s.facets.push_back({t, i, c, (twice > 0 ? 1 / twice : 0) * n, 0.5 * twice / (h * h), reach});
-    }
-  }
-  s.points = mesh.points.size();
-  std::vector<Triangle> corners;
-  corners.reserve(s.facets.size());
-  for (const CutSurface::Facet& f : s.facets) corners.push_back(f.corners);
-  s.stars = FacetStars(s.points, corners);
-  return s;
+  return measure_all(mesh, spacing, boundary_facets(mesh, labels));
+}
+
+CutSurface surface_near_gaps(const TetMesh& mesh, const std::vector<double>& spacing,
+                             const Labels& labels) {
+  std::vector<FacetName> facets = boundary_facets(mesh, labels);
+  const std::vector<std::uint8_t> at_gap = points_of_gaps(mesh, spacing, facets);
+  std::vector<std::uint8_t> near = at_gap;
+  const auto touches = [&](const std::vector<std::uint8_t>& marked, const FacetName& f) {
+    const auto c = corners_of(mesh, f);
+    return marked[c[0]] || marked[c[1]] || marked[c[2]];
+  };
+  for (const FacetName& f : facets)
+    if (touches(at_gap, f))
+      for (Index v : corners_of(mesh, f)) near[v] = 1;
+  std::erase_if(facets, [&](const FacetName& f) { return !touches(near, f); });
+  return measure_all(mesh, spacing, facets);
 }
 
 Stumps find_stumps(const TetMesh& mesh, const CutSurface& surface) {

@@ -32,6 +32,10 @@ struct CutSurface {
 };
 CutSurface cut_surface_of(const TetMesh& mesh, const std::vector<double>& spacing,
                           const Labels& labels);
+// The part of it that find_stumps looks at: it finds the same there, by other numbers. Most
+// surfaces have little of it.
+CutSurface surface_near_gaps(const TetMesh& mesh, const std::vector<double>& spacing,
+                             const Labels& labels);
 
 // A cap is a region of facets that span gaps, at whose rim the surface turns: an end that no sample
 // closes. Two that face each other, not far apart for their size, and that see each other, are the

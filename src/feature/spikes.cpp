@@ -20,6 +20,9 @@ namespace {
 // samples.
 constexpr double least_height = 0.2, over_neighbours = 6, over_usual = 4, usual_quantile = 0.98;
 
+// Lower heights matter to no spike and to no quantile: that they are low is enough to know.
+constexpr double low = least_height / over_usual;
+
 // Without a spike the surface must go on: its neighbours lie within this many spacings of their
 // middle. The apex of a cone sampled at the rim alone is no spike.
 constexpr double widest_ring = 4;
@@ -44,22 +47,21 @@ class Finder {
       if (!stars_[p].empty()) present_.push_back(p);
       (stars_[p].empty() ? absent_points_ : present_points_).push_back(points_[p]);
     }
+    if (absent_points_.empty()) return;
     present_tree_ = std::make_unique<NearestSample>(present_points_);
-    if (!absent_points_.empty()) absent_tree_ = std::make_unique<NearestSample>(absent_points_);
+    absent_tree_ = std::make_unique<NearestSample>(absent_points_);
   }
 
   std::vector<std::uint8_t> run(Job& job) {
-    for_all(job, [&](Index p, Surroundings& s) {
-      look_round(p, s);
-      height_[p] = height_over(p, s.facets);
-    });
+    for_all(job, [&](Index p, Surroundings& s) { height_[p] = is_low(p) ? low : height(p, s); });
     job.tick(0.7);
     const double least = std::max(least_height, over_usual * usual_height());
     std::vector<std::uint8_t> spike(points_.size(), 0);
     for_all(job, [&](Index p, Surroundings& s) {
+      Surroundings other;
       if (height_[p] <= least || std::isinf(height_[p]) || !has_surface_round(p, s)) return;
       look_round(p, s);
-      spike[p] = height_[p] > over_neighbours * highest_at(s.facets) && is_narrow(p, s.ring);
+      spike[p] = height_[p] > over_neighbours * highest_at(s.facets, other) && is_narrow(p, s.ring);
     });
     return spike;
   }
@@ -94,8 +96,7 @@ class Finder {
     keep_distinct(s.ring);
     for (Index v : s.ring)
       for (Index t : stars_[v])
-        if (std::find(triangles_[t].begin(), triangles_[t].end(), p) == triangles_[t].end())
-          s.facets.push_back(t);
+        if (!has_corner(t, p)) s.facets.push_back(t);
     keep_distinct(s.facets);
   }
 
@@ -115,24 +116,44 @@ class Finder {
     });
   }
 
-  // Distance of p to the nearest of the planes, in spacings; infinity if there is none.
-  double height_over(Index p, const std::vector<Index>& facets) const {
-    double least = std::numeric_limits<double>::infinity();
+  // Distance of p to the plane of triangle t, in spacings; infinity if it has none.
+  double height_over(Index p, Index t) const {
     const double h = spacing_[p];
-    for (Index t : facets) {
-      const Vec3 a = points_[triangles_[t][0]];
-      const Vec3 normal = cross(points_[triangles_[t][1]] - a, points_[triangles_[t][2]] - a);
-      const double twice_area = length(normal);
-      if (twice_area < 2 * smallest_area * h * h) continue;
-      least = std::min(least, std::abs(dot(points_[p] - a, normal)) / (twice_area * h));
-    }
+    const Vec3 a = points_[triangles_[t][0]];
+    const Vec3 normal = cross(points_[triangles_[t][1]] - a, points_[triangles_[t][2]] - a);
+    const double twice_area = length(normal);
+    if (twice_area < 2 * smallest_area * h * h) return std::numeric_limits<double>::infinity();
+    return std::abs(dot(points_[p] - a, normal)) / (twice_area * h);
+  }
+
+  // Distance of p to the nearest of the planes round it, in spacings; infinity if there is none.
+  double height(Index p, Surroundings& s) const {
+    look_round(p, s);
+    double least = std::numeric_limits<double>::infinity();
+    for (Index t : s.facets) least = std::min(least, height_over(p, t));
     return least;
   }
 
-  double highest_at(const std::vector<Index>& facets) const {
+  // Whether the plane of some triangle at the ring of p passes it so near. Most often the first.
+  bool is_low(Index p) const {
+    for (Index at : stars_[p])
+      for (Index v : triangles_[at]) {
+        if (v == p) continue;
+        for (Index t : stars_[v])
+          if (!has_corner(t, p) && height_over(p, t) <= low) return true;
+      }
+    return false;
+  }
+
+  bool has_corner(Index t, Index p) const {
+    return std::find(triangles_[t].begin(), triangles_[t].end(), p) != triangles_[t].end();
+  }
+
+  double highest_at(const std::vector<Index>& facets, Surroundings& s) const {
     double highest = 0;
     for (Index t : facets)
-      for (Index v : triangles_[t]) highest = std::max(highest, height_[v]);
+      for (Index v : triangles_[t])
+        highest = std::max(highest, height_[v] > low ? height_[v] : height(v, s));
     return highest;
   }
 
@@ -149,7 +170,7 @@ class Finder {
   const std::vector<Triangle>& triangles_;
   const std::vector<double>& spacing_;
   FacetStars stars_;
-  std::vector<double> height_;
+  std::vector<double> height_;  // `low` stands for all that are not higher
   std::vector<Index> present_;  // points on the surface
   std::vector<Vec3> present_points_, absent_points_;
   std::unique_ptr<NearestSample> present_tree_, absent_tree_;

@@ -1,28 +1,17 @@
 #include "noise/noise_level.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
+#include "base/distinct.h"
 #include "base/parallel.h"
-#include "base/vec.h"
-#include "noise/height_fit.h"
+#include "noise/sites.h"
 
 namespace arris {
 namespace {
-
-// Sizes of the neighbourhoods. The smallest leaves a quadric six degrees of freedom; the larger
-// ones serve where the noise exceeds the spacing and a small neighbourhood is not flat.
-constexpr std::array<std::size_t, 6> sizes = {12, 24, 48, 96, 192, 384};
-
-// A neighbourhood shows the surface, not only the noise, if it is this many times wider than deep.
-constexpr double flatness = 4;
-
-// Deviations of places nearby are pooled by this quantile: an edge may run through two thirds of
-// the neighbourhoods.
-constexpr double pooled_quantile = 0.3, normal_quantile = -0.5244;
-constexpr std::size_t pooled_sites = 32;
 
 // Noise leaves the deviation as it is when the neighbourhood doubles; an edge raises it by 1.41,
 // curvature by 2.8 and more.
@@ -31,16 +20,7 @@ constexpr double curvature_growth = 8;  // of the variance: the square of 2.8
 
 // Noise leaves the deviation as it is also in the smallest neighbourhood of all, from a plane;
 // there facets and steps of the surface itself show less (they are flat) and curvature shows more.
-constexpr std::size_t plane_size = 6;
 constexpr double least_plane_share = 0.6, most_plane_share = 1.35;
-
-// Six samples with noise are never flat: less than this share of the usual deviation has a chance
-// of a hundred thousandth. Two such places of 32 are proof of an edged surface without noise.
-constexpr double flat_share = 0.02;
-constexpr std::ptrdiff_t fewest_flat = 2;
-
-// Residuals of two sheets taken for one have two humps: a kurtosis below 2, where noise has 3.
-constexpr double least_kurtosis = 2.2;
 
 // Every so manyth sample is a place to measure at, in clouds with enough of them.
 constexpr std::size_t fewest_sites = 1000, longest_stride = 4;
@@ -65,83 +45,12 @@ constexpr double least_near = 0.3;
 // The level of a sample is the median of those of the nearest places.
 constexpr std::size_t smoothing_sites = 8;
 
+// Large clouds are found clean by a sample of their places: so many at first, and with less than
+// exp(-14), a millionth, of a chance of error.
+constexpr std::size_t first_sample = 64;
+constexpr double certainty = 14;
+
 constexpr double unknown = -1;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Deviations from quadrics of growing size at one place.
-struct Curve {
-  std::array<double, sizes.size()> deviation{};
-  std::array<double, sizes.size()> radius{};
-  double plane = 0;       // deviation of the nearest few from a plane
-  bool flat = false;      // pooled: some of the places nearby are exactly flat
-  std::size_t known = 0;  // sizes measured
-};
-
-// The pooled quantile of a deviation with so many degrees of freedom, over the true deviation
-// (Wilson and Hilferty's approximation of the chi-squared distribution, 1931).
-double quantile_of_deviation(double freedom) {
-  const double v = 2 / (9 * freedom);
-  return std::pow(1 - v + normal_quantile * std::sqrt(v), 1.5);
-}
-
-double pooled_deviation(const HeightFit& fit, const std::vector<Vec3>& local) {
-  if (fit.terms == 0) return infinity;
-  const double freedom = static_cast<double>(local.size()) - fit.terms;
-  return residual_deviation(fit, local) / quantile_of_deviation(freedom);
-}
-
-// Fourth moment of the residuals over the square of the second.
-double kurtosis(const HeightFit& fit, const std::vector<Vec3>& local) {
-  double second = 0, fourth = 0;
-  for (Vec3 p : local) {
-    const double r = p.z - fit.height(p.x, p.y);
-    second += r * r;
-    fourth += r * r * r * r;
-  }
-  return second > 0 ? fourth * static_cast<double>(local.size()) / (second * second) : 3;
-}
-
-void measure(const std::vector<Vec3>& points, Vec3 centre,
-             const std::vector<NearestSample::Hit>& hits, std::size_t level, Curve& curve) {
-  const std::size_t n = sizes[level];
-  std::vector<Vec3> patch(n);
-  for (std::size_t i = 0; i < n; ++i) patch[i] = points[hits[i].index];
-  const Frame frame = frame_at(centre, least_variance_direction(patch));
-  for (Vec3& p : patch) p = frame.to_frame(p);
-  const double radius = hits[n - 1].distance;
-  curve.radius[level] = radius;
-  const HeightFit fit = fit_heights(frame, patch, radius, quadric_terms);
-  curve.deviation[level] = pooled_deviation(fit, patch);
-  curve.known = level + 1;
-  if (level > 0) {
-    if (fit.terms > 0 && kurtosis(fit, patch) < least_kurtosis) curve.deviation[level] = infinity;
-    return;
-  }
-  patch.resize(plane_size);
-  curve.plane = pooled_deviation(
-      fit_heights(frame, patch, hits[plane_size - 1].distance, plane_terms), patch);
-}
-
-Curve measure_curve(const std::vector<Vec3>& points, const NearestSample& tree, Vec3 centre) {
-  Curve curve;
-  std::vector<NearestSample::Hit> hits;
-  for (std::size_t level = 0; level < sizes.size(); ++level) {
-    if (points.size() < 2 * sizes[level]) break;
-    if (level > 1 && curve.deviation[level - 2] * flatness < curve.radius[level - 2]) break;
-    if (hits.size() < sizes[level])
-      tree.nearest(centre, sizes[std::max<std::size_t>(level, 1)], hits);
-    if (hits.size() < sizes[level]) break;
-    measure(points, centre, hits, level, curve);
-  }
-  return curve;
-}
-
-double quantile(std::vector<double>& values) {
-  const auto at = values.begin() +
-                  static_cast<std::ptrdiff_t>(pooled_quantile * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 // What the pooled curve of a place says.
 struct Verdict {
@@ -151,7 +60,7 @@ struct Verdict {
   bool by_all = false, by_quadrics = false, by_plane = false;
 };
 
-Verdict judge(const Curve& c) {
+Verdict judge(const DeviationCurve& c) {
   Verdict v;
   if (c.known == 0) return v;
   if (c.flat && c.deviation[0] >= least_noise * c.radius[0]) return v;
@@ -161,7 +70,7 @@ Verdict judge(const Curve& c) {
   if (v.by_plane) v.level = std::min(c.deviation[0], c.plane);
   for (std::size_t j = 0; j + 1 < c.known; ++j) {
     const double here = c.deviation[j], above = c.deviation[j + 1];
-    if (here * flatness > c.radius[j]) continue;
+    if (here * wide_enough > c.radius[j]) continue;
     if (here < least_noise * c.radius[j]) {
       v.level = 0;
       return v;
@@ -177,32 +86,6 @@ Verdict judge(const Curve& c) {
   return v;
 }
 
-// Pools the curves of the sites nearby.
-Curve pool(const std::vector<Curve>& curves, const std::vector<NearestSample::Hit>& hits) {
-  Curve pooled;
-  std::vector<double> deviations, radii, planes;
-  for (const auto& h : hits)
-    if (curves[h.index].known > 0) planes.push_back(curves[h.index].plane);
-  if (!planes.empty()) pooled.plane = quantile(planes);
-  const auto flat = std::count_if(planes.begin(), planes.end(),
-                                  [&](double d) { return d < flat_share * pooled.plane; });
-  pooled.flat = flat >= fewest_flat;
-  for (std::size_t j = 0; j < sizes.size(); ++j) {
-    deviations.clear();
-    radii.clear();
-    for (const auto& h : hits)
-      if (curves[h.index].known > j) {
-        deviations.push_back(curves[h.index].deviation[j]);
-        radii.push_back(curves[h.index].radius[j]);
-      }
-    if (2 * deviations.size() < hits.size()) break;
-    pooled.deviation[j] = quantile(deviations);
-    pooled.radius[j] = quantile(radii);
-    pooled.known = j + 1;
-  }
-  return pooled;
-}
-
 double median(std::vector<double>& values) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), at, values.end());
@@ -210,9 +93,9 @@ double median(std::vector<double>& values) {
 }
 
 // The deviations from planes hardly differ between places.
-bool is_even(const std::vector<Curve>& pooled) {
+bool is_even(const std::vector<DeviationCurve>& pooled) {
   std::vector<double> planes;
-  for (const Curve& c : pooled)
+  for (const DeviationCurve& c : pooled)
     if (c.known > 0) planes.push_back(c.plane);
   if (planes.empty()) return false;
   const double middle = median(planes);
@@ -222,21 +105,81 @@ bool is_even(const std::vector<Curve>& pooled) {
   return *low >= even_share * middle;
 }
 
-// Is there noise in this cloud at all? Clean ones have places that look noisy.
-bool is_noisy(const std::vector<Verdict>& verdicts, const std::vector<Curve>& pooled) {
-  double all = 0, quadrics = 0, plane = 0;
-  for (const Verdict& v : verdicts) {
+// How many places say that there is noise, and of how many.
+struct Evidence {
+  double all = 0, quadrics = 0, plane = 0, places = 0;
+
+  void add(const Verdict& v) {
     all += v.by_all ? 1 : 0;
     quadrics += v.by_quadrics ? 1 : 0;
     plane += v.by_plane ? 1 : 0;
+    places += 1;
   }
-  const double n = static_cast<double>(verdicts.size());
-  return all >= least_by_all * n || quadrics >= least_by_quadrics * n ||
-         plane >= least_by_plane * n || (plane >= least_if_even * n && is_even(pooled));
+};
+
+// Is there noise in this cloud at all? Clean ones have places that look noisy.
+bool is_noisy(const std::vector<Verdict>& verdicts, const std::vector<DeviationCurve>& pooled) {
+  Evidence e;
+  for (const Verdict& v : verdicts) e.add(v);
+  return e.all >= least_by_all * e.places || e.quadrics >= least_by_quadrics * e.places ||
+         e.plane >= least_by_plane * e.places ||
+         (e.plane >= least_if_even * e.places && is_even(pooled));
+}
+
+// Whether so few of a sample of places would say so, were it `limit` of all, that the chance is
+// below exp(-certainty): Chernoff's bound.
+bool is_surely_below(double count, double places, double limit) {
+  const double share = count / places;
+  if (share >= limit) return false;
+  const double agreeing = share > 0 ? share * std::log(share / limit) : 0;
+  return places * (agreeing + (1 - share) * std::log((1 - share) / (1 - limit))) >= certainty;
+}
+
+bool is_surely_clean(const Evidence& e) {
+  return is_surely_below(e.all, e.places, least_by_all) &&
+         is_surely_below(e.quadrics, e.places, least_by_quadrics) &&
+         is_surely_below(e.plane, e.places, std::min(least_by_plane, least_if_even));
+}
+
+// The sites number k of van der Corput's sequence, begin <= k < end: evenly spread along the curve
+// that samples are in the order of, whatever `end` is.
+std::vector<Index> spread_out(std::size_t begin, std::size_t end, std::size_t sites) {
+  std::vector<Index> places;
+  for (std::size_t k = begin; k < end; ++k) {
+    double position = 0, step = 0.5;
+    for (std::size_t bits = k; bits > 0; bits >>= 1, step /= 2)
+      if (bits & 1) position += step;
+    places.push_back(static_cast<Index>(position * static_cast<double>(sites)));
+  }
+  return places;
+}
+
+// Looks at a sample of the sites, doubled until it is clear that the cloud has no noise, or not
+// clear that it has none. False says nothing.
+bool is_clean_by_sample(Sites& sites, Job& job) {
+  Evidence evidence;
+  std::vector<NearestSample::Hit> hits;
+  for (std::size_t n = first_sample; n * pooled_sites <= sites.size(); n *= 2) {
+    const std::vector<Index> places =
+        spread_out(static_cast<std::size_t>(evidence.places), n, sites.size());
+    std::vector<Index> needed;
+    for (Index i : places) {
+      sites.find_near(i, hits);
+      for (const auto& h : hits) needed.push_back(h.index);
+    }
+    keep_distinct(needed);
+    sites.measure(needed, job);
+    for (Index i : places) evidence.add(judge(sites.pooled(i, hits)));
+    if (is_surely_clean(evidence)) return true;
+    if (evidence.plane >= least_if_even * evidence.places ||
+        evidence.all >= least_by_all * evidence.places)
+      return false;
+  }
+  return false;
 }
 
 // The level at a site whose own curve is not that of noise alone: that of the places nearby.
-double borrowed_level(const std::vector<double>& levels, const Curve& own,
+double borrowed_level(const std::vector<double>& levels, const DeviationCurve& own,
                       const std::vector<NearestSample::Hit>& hits, double usual) {
   std::vector<double> near;
   for (const auto& h : hits)
@@ -260,19 +203,19 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
   if (points.size() < fewest_points) return result;
   const std::size_t stride =
       std::clamp<std::size_t>(points.size() / fewest_sites, 1, longest_stride);
-  std::vector<Vec3> sites;
-  for (std::size_t i = 0; i < points.size(); i += stride) sites.push_back(points[i]);
-  std::vector<Curve> curves(sites.size()), pooled(sites.size());
-  parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) curves[i] = measure_curve(points, tree, sites[i]);
-  });
-  const NearestSample site_tree(sites);
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < points.size(); i += stride) places.push_back(points[i]);
+  Sites sites(points, tree, std::move(places));
+  if (is_clean_by_sample(sites, job)) return result;
+  std::vector<Index> all(sites.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  sites.measure(all, job);
+  std::vector<DeviationCurve> pooled(sites.size());
   std::vector<Verdict> verdicts(sites.size());
   parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<NearestSample::Hit> hits;
     for (std::size_t i = begin; i < end; ++i) {
-      site_tree.nearest(sites[i], pooled_sites, hits);
-      pooled[i] = pool(curves, hits);
+      pooled[i] = sites.pooled(i, hits);
       verdicts[i] = judge(pooled[i]);
     }
   });
@@ -283,13 +226,14 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
     levels.push_back(v.level);
     if (v.level != unknown) accepted.push_back(v.level);
   }
-  const double usual = accepted.empty() ? infinity : median(accepted);
+  const double usual =
+      accepted.empty() ? std::numeric_limits<double>::infinity() : median(accepted);
   std::vector<double> filled = levels;
   parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
     std::vector<NearestSample::Hit> hits;
     for (std::size_t i = begin; i < end; ++i) {
       if (levels[i] != unknown) continue;
-      site_tree.nearest(sites[i], pooled_sites, hits);
+      sites.find_near(i, hits);
       filled[i] = borrowed_level(levels, pooled[i], hits, usual);
     }
   });
@@ -297,7 +241,7 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
     std::vector<NearestSample::Hit> hits;
     std::vector<double> near;
     for (std::size_t i = begin; i < end; ++i) {
-      site_tree.nearest(points[i], smoothing_sites, hits);
+      sites.find_near(points[i], smoothing_sites, hits);
       near.clear();
       for (const auto& h : hits) near.push_back(filled[h.index]);
       result[i] = median(near);

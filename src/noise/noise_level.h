@@ -19,7 +19,8 @@ namespace arris {
 
 // Standard deviation of the noise along the surface normal at every point, in the unit of the
 // points; 0 where there is none worth a correction (below 0.004 of the spacing). `tree` is that of
-// the points. Complexity: O(n log n).
+// the points. Complexity: O(n log n); a clean cloud whose points come along a space-filling curve
+// is mostly known by a sample of them.
 std::vector<double> estimate_noise(const std::vector<Vec3>& points, const NearestSample& tree,
                                    Job& job);
 

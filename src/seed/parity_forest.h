@@ -7,7 +7,8 @@
 
 namespace arris {
 
-// Path halving with parities, union by size. Near-constant time a call; 9 bytes a node.
+// Path halving with parities, union by index. O(log n) a call amortized, in practice near-constant;
+// 4 bytes a node, of which there are at most 2^31.
 class ParityForest {
  public:
   explicit ParityForest(std::size_t n);
@@ -22,9 +23,7 @@ class ParityForest {
   bool join(std::uint32_t a, std::uint32_t b, bool opposite) noexcept;
 
  private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> size_;
-  std::vector<std::uint8_t> parity_;
+  std::vector<std::uint32_t> link_;  // twice the parent, plus one if it is on the other side
 };
 
 }  // namespace arris

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "base/distinct.h"
+
 namespace arris {
 namespace {
 
@@ -116,15 +118,31 @@ class Recount {
     return g;
   }
 
-  // The tetrahedra that a refused vote speaks to, those that win most first.
+  // The tetrahedra that a refused vote speaks to.
+  std::vector<Tet> contradicted() const {
+    std::vector<Tet> found;
+    const auto look = [&](Tet a, Tet b, std::uint8_t packed) {
+      const Vote vote = Votes::unpack(packed);
+      if (vote.strength == 0 || !is_known(a) || !is_known(b)) return;
+      if ((is_inside(a) != is_inside(b)) == vote.opposite) return;
+      for (Tet t : {a, b})
+        if (mesh_.is_finite(t)) found.push_back(t);
+    };
+    for (std::size_t id = 0; id < votes_.facet.size(); ++id)
+      if (votes_.facet[id] != 0)
+        look(static_cast<Tet>(id / 4), mesh_.neighbours[id / 4][id % 4], votes_.facet[id]);
+    const auto end = [&](Tet t) { return t == no_tet ? outside() : t; };
+    for (std::size_t v = 0; v < votes_.pole.size(); ++v)
+      if (votes_.pole[v] != 0)
+        look(end(votes_.pole_pair[v][0]), end(votes_.pole_pair[v][1]), votes_.pole[v]);
+    keep_distinct(found);
+    return found;
+  }
+
+  // Those, the ones that win most first.
   std::vector<Tet> starts() const {
     std::vector<std::pair<int, Tet>> found;
-    for (Tet t = 0; t < mesh_.finite; ++t) {
-      if (label_[t] == seed_free) continue;
-      int refused = 0;
-      for_votes(t, [&](Tet, int won) { refused += won > 0; });
-      if (refused > 0) found.push_back({-gain(t).won, t});
-    }
+    for (Tet t : contradicted()) found.push_back({-gain(t).won, t});
     std::sort(found.begin(), found.end());
     std::vector<Tet> order;
     order.reserve(found.size());

@@ -48,13 +48,17 @@ std::vector<std::uint32_t> strongest_first(const Ballot& ballot) {
   return order;
 }
 
-// Strength for and against the labels, summed over the votes round each sample and over all.
+// Strength for the forest and in all, summed over the votes round each sample and over the cloud.
+// Sums of small integers: exact in any order.
 struct Tally {
   std::vector<float> agree, all;
+  double refused = 0, total = 0;
 };
 
 void count_vote(const Ballot& ballot, std::size_t id, bool agrees, Tally& tally) {
   const auto strength = static_cast<float>(Votes::unpack(ballot.packed(id)).strength);
+  tally.total += strength;
+  if (!agrees) tally.refused += strength;
   const auto add = [&](Index v) {
     if (v >= ballot.mesh.samples) return;
     tally.all[v] += strength;
@@ -66,6 +70,20 @@ void count_vote(const Ballot& ballot, std::size_t id, bool agrees, Tally& tally)
     add(ballot.mesh.vertices[id / 4][static_cast<std::size_t>(corner)]);
 }
 
+// The ends of every vote are joined by now: it was accepted if the forest says the same.
+Tally count_votes(const Ballot& ballot, ParityForest& forest) {
+  const std::size_t samples = ballot.mesh.samples;
+  Tally tally{std::vector<float>(samples, 0), std::vector<float>(samples, 0)};
+  for (std::size_t id = 0; id < ballot.size(); ++id) {
+    const Vote vote = Votes::unpack(ballot.packed(id));
+    if (vote.strength == 0) continue;
+    const auto [a, b] = ballot.ends(id);
+    const bool opposite = forest.find(a).opposite != forest.find(b).opposite;
+    count_vote(ballot, id, opposite == vote.opposite, tally);
+  }
+  return tally;
+}
+
 }  // namespace
 
 Seeds find_seeds(const TetMesh& mesh, const Stars& stars, const std::vector<Circumball>& balls,
@@ -75,22 +93,18 @@ Seeds find_seeds(const TetMesh& mesh, const Stars& stars, const std::vector<Circ
   const std::vector<std::uint32_t> order = strongest_first(ballot);
 
   ParityForest forest(mesh.finite + 1);
-  Tally tally{std::vector<float>(mesh.samples, 0), std::vector<float>(mesh.samples, 0)};
-  double refused = 0, all = 0;
   constexpr std::size_t between_ticks = 1 << 16;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k % between_ticks == 0)
       job.tick(static_cast<double>(k) / static_cast<double>(order.size()));
     const Vote vote = Votes::unpack(ballot.packed(order[k]));
     const auto [a, b] = ballot.ends(order[k]);
-    const bool accepted = forest.join(a, b, vote.opposite);
-    all += vote.strength;
-    if (!accepted) refused += vote.strength;
-    count_vote(ballot, order[k], accepted, tally);
+    forest.join(a, b, vote.opposite);
   }
+  const Tally tally = count_votes(ballot, forest);
 
   Seeds seeds;
-  seeds.contradiction = all > 0 ? refused / all : 0;
+  seeds.contradiction = tally.total > 0 ? tally.refused / tally.total : 0;
   const auto outside = forest.find(static_cast<std::uint32_t>(mesh.finite));
   seeds.label.resize(mesh.finite);
   seeds.firm.resize(mesh.finite);

@@ -98,36 +98,43 @@ std::vector<Engine::Vertex_handle> load(const TetMesh& mesh, Engine& engine) {
 }
 
 struct Numbering {
-  std::vector<Engine::Cell_handle> cells;
-  std::vector<Tet> former;  // the numbers they had before
+  std::vector<Engine::Cell_handle> cells;  // in the order of the engine, their numbers within
+  std::vector<Tet> former;                 // by number: the numbers they had before
   std::size_t finite = 0;
 };
 
+// The lowest vertex; more by the number of points for an infinite cell.
+std::uint32_t sorting_key(const Engine& engine, Engine::Cell_handle c, std::size_t points) {
+  Index low = infinite_vertex;
+  bool is_infinite = false;
+  for (int i = 0; i < 4; ++i) {
+    if (c->vertex(i) == engine.infinite_vertex())
+      is_infinite = true;
+    else
+      low = std::min(low, c->vertex(i)->info());
+  }
+  return low + (is_infinite ? static_cast<std::uint32_t>(points) : 0);
+}
+
 // Tetrahedra sorted by their lowest vertex, finite ones first: neighbours in space are neighbours
 // in memory, which every later pass profits from.
-Numbering number_cells(const Engine& engine, std::size_t points) {
-  const auto infinite = engine.infinite_vertex();
-  const auto key = [&](Engine::Cell_handle c) {
-    Index low = infinite_vertex;
-    bool is_infinite = false;
-    for (int i = 0; i < 4; ++i) {
-      if (c->vertex(i) == infinite)
-        is_infinite = true;
-      else
-        low = std::min(low, c->vertex(i)->info());
-    }
-    return static_cast<std::size_t>(low) + (is_infinite ? points : 0);
-  };
+Numbering number_cells(const Engine& engine, std::size_t points, unsigned threads) {
+  Numbering numbering;
+  numbering.cells.reserve(engine.tds().number_of_cells());
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c)
+    numbering.cells.push_back(c);
+  std::vector<std::uint32_t> key(numbering.cells.size());
+  parallel_for(key.size(), threads,
+               [&](std::size_t k) { key[k] = sorting_key(engine, numbering.cells[k], points); });
   std::vector<std::uint32_t> start(2 * points + 1, 0);
-  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c) ++start[key(c) + 1];
+  for (std::uint32_t k : key) ++start[k + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  Numbering numbering{std::vector<Engine::Cell_handle>(start.back()),
-                      std::vector<Tet>(start.back()), start[points]};
-  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c) {
-    const std::uint32_t index = start[key(c)]++;
-    numbering.cells[index] = c;
-    numbering.former[index] = c->info().tet;
-    c->info().tet = index;
+  numbering.finite = start[points];
+  numbering.former.resize(key.size());
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    const Tet number = start[key[k]]++;
+    numbering.former[number] = numbering.cells[k]->info().tet;
+    numbering.cells[k]->info().tet = number;
   }
   return numbering;
 }
@@ -137,19 +144,20 @@ void copy_cells(const Engine& engine, const std::vector<Engine::Cell_handle>& ce
   const auto infinite = engine.infinite_vertex();
   mesh.vertices.resize(cells.size());
   mesh.neighbours.resize(cells.size());
-  parallel_for(cells.size(), threads, [&](std::size_t t) {
+  parallel_for(cells.size(), threads, [&](std::size_t k) {
+    const Tet t = cells[k]->info().tet;
     for (int i = 0; i < 4; ++i) {
-      const auto v = cells[t]->vertex(i);
-      const auto k = static_cast<std::size_t>(i);
-      mesh.vertices[t][k] = v == infinite ? infinite_vertex : v->info();
-      mesh.neighbours[t][k] = cells[t]->neighbor(i)->info().tet;
+      const auto v = cells[k]->vertex(i);
+      const auto j = static_cast<std::size_t>(i);
+      mesh.vertices[t][j] = v == infinite ? infinite_vertex : v->info();
+      mesh.neighbours[t][j] = cells[k]->neighbor(i)->info().tet;
     }
   });
 }
 
 // The mesh of the engine over `points`, without its engine.
 Extension unload(const Engine& engine, std::vector<Vec3> points, std::size_t samples, Job& job) {
-  Numbering numbering = number_cells(engine, points.size());
+  Numbering numbering = number_cells(engine, points.size(), job.threads());
   if (numbering.cells.size() >= most_tets)
     throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
                   "use fewer points, or split the cloud");

@@ -30,31 +30,48 @@ struct Edge {
   friend bool operator==(const Edge& a, const Edge& b) { return a.end == b.end; }
 };
 
-// The shortest Delaunay edges at v, at most spacing_rank, ascending.
-std::size_t shortest_edges(const TetMesh& mesh, const Stars& stars, Index v,
-                           std::array<Edge, spacing_rank>& shortest) {
+// The shortest edges met so far, at most spacing_rank, ascending and distinct.
+struct Shortest {
+  std::array<Edge, spacing_rank> edges;
+  std::size_t count = 0;
+
+  void offer(const Edge& edge) {
+    if (count == spacing_rank && edge.squared_length > edges.back().squared_length) return;
+    const auto end = edges.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto at = std::lower_bound(edges.begin(), end, edge);
+    if (at == edges.end() || (at != end && *at == edge)) return;
+    if (count < spacing_rank) ++count;
+    const auto last = edges.begin() + static_cast<std::ptrdiff_t>(count);
+    std::move_backward(at, last - 1, last);
+    *at = edge;
+  }
+};
+
+// The shortest Delaunay edges at v.
+Shortest shortest_edges(const TetMesh& mesh, const Stars& stars, Index v) {
   // Each neighbour is met in five or six tetrahedra; remembering the last one per slot spares most
-  // of the repeats. Those that slip through are caught below.
+  // of the repeats. Those that slip through are caught when they are offered. Without a branch,
+  // which nothing could predict.
+  constexpr std::size_t tets_at_once = 32;
   std::array<Index, 64> met;
   met.fill(v);
-  std::size_t count = 0;
-  for (Tet t : stars[v]) {
-    for (Index w : mesh.vertices[t]) {
-      Index& slot = met[w % met.size()];
-      if (w == slot || w == v || w == infinite_vertex) continue;
-      slot = w;
-      const Edge edge{squared_length(mesh.points[w] - mesh.points[v]), w};
-      if (count == spacing_rank && edge.squared_length > shortest.back().squared_length) continue;
-      const auto end = shortest.begin() + static_cast<std::ptrdiff_t>(count);
-      const auto at = std::lower_bound(shortest.begin(), end, edge);
-      if (at == shortest.end() || (at != end && *at == edge)) continue;
-      if (count < spacing_rank) ++count;
-      std::move_backward(at, shortest.begin() + static_cast<std::ptrdiff_t>(count) - 1,
-                         shortest.begin() + static_cast<std::ptrdiff_t>(count));
-      *at = edge;
-    }
+  std::array<Index, 4 * tets_at_once + 1> ends;
+  Shortest shortest;
+  const auto star = stars[v];
+  for (std::size_t from = 0; from < star.size(); from += tets_at_once) {
+    std::size_t count = 0;
+    for (Tet t : star.subspan(from, std::min(tets_at_once, star.size() - from)))
+      for (Index w : mesh.vertices[t]) {
+        Index& slot = met[w % met.size()];
+        ends[count] = w;
+        count += static_cast<std::size_t>(w != slot) & static_cast<std::size_t>(w != v) &
+                 static_cast<std::size_t>(w != infinite_vertex);
+        slot = w;
+      }
+    for (std::size_t k = 0; k < count; ++k)
+      shortest.offer({squared_length(mesh.points[ends[k]] - mesh.points[v]), ends[k]});
   }
-  return count;
+  return shortest;
 }
 
 // The circumcentre seen from a corner is `numerator` / (2 `det`).
@@ -126,17 +143,19 @@ std::vector<Circumball> circumballs(const TetMesh& mesh, unsigned threads) {
 
 std::vector<double> sample_spacing(const TetMesh& mesh, const Stars& stars, unsigned threads) {
   std::vector<double> raw(mesh.points.size()), spacing(mesh.points.size());
-  std::vector<std::array<Edge, spacing_rank>> edges(mesh.points.size());
+  std::vector<std::array<Index, spacing_rank>> ends(mesh.points.size());
   std::vector<std::uint8_t> counts(mesh.points.size());
   parallel_for(raw.size(), threads, [&](std::size_t v) {
-    const std::size_t count = shortest_edges(mesh, stars, static_cast<Index>(v), edges[v]);
-    counts[v] = static_cast<std::uint8_t>(count);
-    raw[v] = std::max(std::sqrt(edges[v][count - 1].squared_length), smallest_spacing);
+    const Shortest shortest = shortest_edges(mesh, stars, static_cast<Index>(v));
+    counts[v] = static_cast<std::uint8_t>(shortest.count);
+    for (std::size_t k = 0; k < shortest.count; ++k) ends[v][k] = shortest.edges[k].end;
+    raw[v] =
+        std::max(std::sqrt(shortest.edges[shortest.count - 1].squared_length), smallest_spacing);
   });
   parallel_for(raw.size(), threads, [&](std::size_t v) {
     std::array<double, spacing_rank + 1> around;
     around[0] = raw[v];
-    for (std::size_t k = 0; k < counts[v]; ++k) around[k + 1] = raw[edges[v][k].end];
+    for (std::size_t k = 0; k < counts[v]; ++k) around[k + 1] = raw[ends[v][k]];
     const auto middle = around.begin() + counts[v] / 2;
     std::nth_element(around.begin(), middle, around.begin() + counts[v] + 1);
     spacing[v] = *middle;

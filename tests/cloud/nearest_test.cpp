@@ -49,5 +49,40 @@ RC_GTEST_PROP(NearestSample, AgreesWithBruteForce, (std::uint64_t seed)) {
   RC_ASSERT(points[nearest(points[own]).index] == points[own]);
 }
 
+RC_GTEST_PROP(NearestSample, FindsTheNearestFewInOrder, (std::uint64_t seed)) {
+  test::Random random(seed);
+  const int kind = *rc::gen::inRange(0, 3);
+  const auto n = *rc::gen::inRange<std::size_t>(1, 300);
+  const std::size_t k = 1 + random.below(40);
+  const std::vector<Vec3> points = points_of_kind(kind, n, random);
+  const NearestSample nearest(points);
+  const Vec3 query = random.below(2) ? points[random.below(n)] : Vec3{random.unit(), 0.5, 0};
+  std::vector<NearestSample::Hit> expected, hits;
+  for (Index i = 0; i < n; ++i) expected.push_back({i, distance(query, points[i])});
+  std::sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
+  });
+  nearest.nearest(query, k, hits);
+  RC_ASSERT(hits.size() == std::min(k, n));
+  for (std::size_t j = 0; j < hits.size(); ++j) {
+    RC_ASSERT(hits[j].index == expected[j].index);
+    RC_ASSERT(hits[j].distance == expected[j].distance);
+  }
+}
+
+// Duplicates, and many points in one cell of the Morton curve.
+TEST(NearestSample, PointsInOneCellAreFound) {
+  test::Random random(5);
+  std::vector<Vec3> points(5000, Vec3{0.25, 0.25, 0.25});
+  for (std::size_t i = 1000; i < points.size(); ++i)
+    points[i] = 1e-8 * Vec3{random.unit(), random.unit(), random.unit()};
+  const NearestSample nearest(points);
+  EXPECT_EQ(nearest({1, 1, 1}).index, 0u);
+  for (int k = 0; k < 100; ++k) {
+    const Vec3 query = 1e-8 * Vec3{random.unit(), random.unit(), random.unit()};
+    EXPECT_EQ(nearest(query).distance, brute_force(points, query));
+  }
+}
+
 }  // namespace
 }  // namespace arris

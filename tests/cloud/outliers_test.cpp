@@ -7,6 +7,7 @@
 
 #include "base/vec.h"
 #include "cloud/nearest.h"
+#include "cloud/quick_look.h"
 #include "support/job.h"
 #include "support/measure.h"
 #include "support/random.h"
@@ -54,6 +55,22 @@ TEST(Outliers, EveryCleanCloudKeepsAllItsSamples) {
     EXPECT_EQ(removed(sample_blue(shape.mesh, 1000, 1)), 0u);
     EXPECT_EQ(removed(sample_feature(shape.mesh, 1000, 1)), 0u);
     EXPECT_EQ(removed(sample_uniform(shape.mesh, 1000, 1)), 0u);
+  }
+}
+
+TEST(Outliers, AQuickLookClearsCleanCloudsOnly) {
+  OneStageJob job;
+  for (const Shape& shape : all_shapes()) {
+    // Parts that nothing links take a longer look.
+    if (shape.name == "tangled_frames" || shape.name == "nested_shells") continue;
+    SCOPED_TRACE(shape.name);
+    std::vector<Vec3> points = sample_blue(shape.mesh, 1000, 1);
+    EXPECT_TRUE(has_no_outliers(points, job));
+    std::vector<Vec3> with_clump = points;
+    add_clump(with_clump, {9, 9, 9}, 0.01, 50);
+    EXPECT_FALSE(has_no_outliers(with_clump, job));
+    points.push_back({9, 9, 9});
+    EXPECT_FALSE(has_no_outliers(points, job));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "base/vec.h"
 #include "support/job.h"
 #include "support/measure.h"
+#include "support/random.h"
 #include "support/samplers.h"
 #include "support/shapes.h"
 
@@ -54,6 +55,22 @@ TEST(NoiseLevel, IsZeroOnFeatureSamplesRoundedToFloat) {
     EXPECT_EQ(sorted_levels(rounded_to_float(sample_feature(mesh, 2000, 1))).back(), 0)
         << shape.name;
   }
+}
+
+// Enough points that a sample of the places may clear the cloud.
+TEST(NoiseLevel, NoiseOfAPartOfALargeCloudIsFound) {
+  std::vector<Vec3> points = sample_uniform(cube().mesh, 20000, 1);
+  EXPECT_EQ(sorted_levels(points).back(), 0);
+  Random random(3);
+  std::size_t noisy = 0;
+  for (Vec3& p : points) {
+    if (p.x > 0.4 * diagonal(cube().mesh) / std::sqrt(3.0)) continue;
+    ++noisy;
+    p = p + 0.004 * Vec3{random.normal(), random.normal(), random.normal()};
+  }
+  const std::vector<double> level = sorted_levels(points);
+  EXPECT_GT(level[points.size() - noisy / 2], 0.002);
+  EXPECT_LT(level.back(), 0.008);
 }
 
 TEST(NoiseLevel, IsZeroOnAFewPoints) {
