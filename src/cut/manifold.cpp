@@ -102,16 +102,14 @@ class LinkCurve {
   }
 
   // No curve, or one simple closed curve.
-  bool is_simple() const {
+  bool is_simple() {
     if (edges_.empty()) return true;
+    if (edges_.size() > few) std::sort(edges_.begin(), edges_.end());
     std::size_t at = 0;
     for (std::size_t step = 1;; ++step) {
-      std::size_t next = edges_.size();
-      for (std::size_t k = 0; k < edges_.size(); ++k) {
-        if (edges_[k].from != edges_[at].to) continue;
-        if (next != edges_.size()) return false;  // the curve meets itself here
-        next = k;
-      }
+      const std::size_t next =
+          edges_.size() > few ? only_in_order(edges_[at].to) : only_one_from(edges_[at].to);
+      if (next == edges_.size()) return false;  // the curve meets itself here
       if (next == 0) return step == edges_.size();
       at = next;
     }
@@ -120,7 +118,27 @@ class LinkCurve {
  private:
   struct Edge {
     Index from, to;
+    auto operator<=>(const Edge&) const = default;
   };
+  // Up to so many edges the search from the first on is faster.
+  static constexpr std::size_t few = 32;
+
+  // The edge that starts at v, the number of edges if there are several.
+  std::size_t only_one_from(Index v) const {
+    std::size_t found = edges_.size();
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      if (edges_[k].from != v) continue;
+      if (found != edges_.size()) return edges_.size();
+      found = k;
+    }
+    return found;
+  }
+  std::size_t only_in_order(Index v) const {
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), Edge{v, 0});
+    const auto next = at + 1;
+    if (next < edges_.end() && next->from == v) return edges_.size();
+    return static_cast<std::size_t>(at - edges_.begin());
+  }
   std::vector<Edge> edges_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cloud/nearest.h"
 #include "feature/meet.h"
@@ -85,6 +86,7 @@ class Protector {
 
   bool is_side(Index u, Index v) const {
     if (u == no_index || v == no_index) return false;
+    if (mesh_.star(u).size() > mesh_.star(v).size()) std::swap(u, v);
     return std::any_of(mesh_.star(u).begin(), mesh_.star(u).end(), [&](Index f) {
       const Triangle& t = mesh_.facets[f];
       return t[0] == v || t[1] == v || t[2] == v;
