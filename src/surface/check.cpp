@@ -62,7 +62,7 @@ void examine_geometry(const Mesh& mesh, Job& job, Findings& found) {
   const bool all_solid = selected.size() == mesh.triangles.size();
   job.tick(0.25);
   const BoxTree tree(mesh.vertices, mesh.triangles, std::move(selected), frame, job.threads());
-  found.intersections = find_intersections(mesh.vertices, mesh.triangles, tree, job, 0.4);
+  found.intersections = find_intersections(mesh.vertices, mesh.triangles, tree, job, 0.4).pairs;
   if (!all_solid || !found.topology.is_closed_manifold() || found.intersections.count > 0) return;
   found.inward = find_inward_components(mesh.vertices, mesh.triangles, found.topology, tree, job);
   // Solids bounded the right way round hold something, though it may round to nothing.
