@@ -54,16 +54,17 @@ class PairFinder {
   bool look_round(std::size_t begin, std::size_t end) {
     Box query;
     for (std::size_t i = begin; i < end; ++i) query.add(tree_.box(i));
-    near_.clear();
+    positions_.clear();
     const std::size_t most = most_near_ + (end - begin);
     tree_.for_overlaps_while(query, begin, [&](std::size_t j) {
-      if (near_.size() < most)
-        near_.push_back({tree_.box(j), j, make_facet(points_, triangles_[tree_.triangle(j)])});
-      else
-        near_.clear();
-      return !near_.empty();
+      positions_.push_back(j);
+      return positions_.size() <= most;
     });
-    return !near_.empty();
+    if (positions_.size() > most) return false;
+    near_.clear();
+    for (std::size_t j : positions_)
+      near_.push_back({tree_.box(j), j, make_facet(points_, triangles_[tree_.triangle(j)])});
+    return true;
   }
 
   // Position i is at `place` of near_: positions come in ascending order.
@@ -81,6 +82,7 @@ class PairFinder {
   std::span<const Triangle> triangles_;
   const BoxTree& tree_;
   std::size_t most_near_;
+  std::vector<std::size_t> positions_;
   std::vector<Near> near_;
 };
 
