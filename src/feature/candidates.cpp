@@ -69,6 +69,15 @@ bool all_planes(std::initializer_list<const LocalSurface*> surfaces) {
                      [](const LocalSurface* s) { return s->is_plane(); });
 }
 
+// The first of the points that has no more than most_round facets, else the last: what is looked
+// for from the tip of a fan is looked for all round it.
+Index home(const Crossing& c, std::initializer_list<Index> points) {
+  Index v = no_index;
+  for (Index w : points)
+    if (v == no_index || c.mesh.star(v).size() > most_round) v = w;
+  return v;
+}
+
 void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candidate>& out) {
   if (c.turn(a, b) == Turn::none) return;
   const Vec3 u = c.points[a.point], v = c.points[b.point], middle = 0.5 * (u + v);
@@ -82,7 +91,8 @@ void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candi
     const double far = std::min(distance(*x, u), distance(*x, v)) / h;
     if (start != middle && far > foot_reach) continue;
     if (is_cut_off(c, a, b, *x)) continue;
-    out.push_back({{*x, h, false, a.point, no_index, {*a.surface, *b.surface}}, far});
+    out.push_back(
+        {{*x, h, false, home(c, {a.point, b.point}), no_index, {*a.surface, *b.surface}}, far});
     if (far > edge_reach) {
       out.back().point.gap = side;
       out.back().point.turn = c.turn(a, b);
@@ -211,7 +221,8 @@ void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, cons
     turn[i] = c.turn(sides[i], sides[(i + 1) % 3]);
     if (is_cut_off(c, sides[i], sides[(i + 1) % 3], *x)) return;
   }
-  out.push_back({{*x, place.h, true, sides[0].point, no_index, {a, b, d}}, far / place.h});
+  const Index near = home(c, {sides[0].point, sides[1].point, sides[2].point});
+  out.push_back({{*x, place.h, true, near, no_index, {a, b, d}}, far / place.h});
   if (!across) return;
   out.back().point.gap = reach / gap_reach;
   if (turn[0] == turn[1] && turn[1] == turn[2]) out.back().point.turn = turn[0];
