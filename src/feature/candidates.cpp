@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -32,6 +33,8 @@ constexpr double gap_length = 2.5, gap_reach = 0.6;
 constexpr std::size_t most_sides = 16;
 // Feet of the ends themselves are taken for ends nearer than this to the edge.
 constexpr double foot_reach = 0.3;
+// From so many it is a corner for sure, and they need not all be compared with each other.
+constexpr int most_votes = 256;
 // How far past a third surface an edge may run, in units of spacing.
 constexpr double overrun = 0.05;
 // Corners found from several facets are the same within this, in units of spacing.
@@ -244,18 +247,18 @@ std::vector<std::uint8_t> near_features(const Crossing& c) {
 
 // Candidates that more others coincide with come first, then nearer ones.
 void rank_corners(std::vector<Candidate>& all) {
-  double cell = 0;
-  for (const Candidate& a : all) cell = std::max(cell, same_corner * a.point.spacing);
-  if (!(cell > 0)) return;
-  PointGrid grid(cell);
+  const auto [smallest, largest] = radii(all, same_corner);
+  if (!(largest > 0)) return;
+  PointGrid grid(largest, smallest);
   for (std::size_t i = 0; i < all.size(); ++i)
     grid.add(all[i].point.position, static_cast<Index>(i));
   std::vector<std::pair<int, std::size_t>> order(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     order[i] = {0, i};
     const FeaturePoint& p = all[i].point;
-    grid.visit(p.position, [&](Index j) {
+    grid.visit(p.position, same_corner * p.spacing, [&](Index j) {
       order[i].first += distance(all[j].point.position, p.position) <= same_corner * p.spacing;
+      return order[i].first < most_votes;
     });
   }
   std::stable_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
@@ -268,6 +271,15 @@ void rank_corners(std::vector<Candidate>& all) {
 }
 
 }  // namespace
+
+std::array<double, 2> radii(const std::vector<Candidate>& candidates, double share) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Candidate& c : candidates) {
+    smallest = std::min(smallest, share * c.point.spacing);
+    largest = std::max(largest, share * c.point.spacing);
+  }
+  return {smallest, largest};
+}
 
 std::vector<Candidate> edge_candidates(const Crossing& c, Job& job) {
   std::vector<Candidate> found;
