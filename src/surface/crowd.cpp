@@ -95,11 +95,8 @@ LongTriangle Crowd::make_long(Index triangle) const {
 void Crowd::find_lower(std::size_t position, std::vector<std::uint32_t>& buffer,
                        Intersections& found) const {
   const Index t = boxes_.triangle(position);
-  LongTriangle query = make_long(t);
-  // A triangle that is not crowded is in no fan.
-  if (!std::binary_search(positions_.begin(), positions_.end(), position)) query.hub.fill(no_index);
   buffer.clear();
-  tree_.find(query, buffer);
+  tree_.find(make_long(t), buffer);
   for (std::uint32_t k : buffer)
     if (positions_[k] < position)
       test_pair(points_, triangles_, t, boxes_.triangle(positions_[k]), found);
@@ -122,6 +119,7 @@ Intersections Crowd::find_round(Index hub, const Fan& fan, Job& job) const {
                     std::vector<std::uint32_t> partners;
                     for (std::size_t k = begin; k < end; ++k) {
                       if (job.cancelled()) return;  // the next tick throws
+                      if (!fan.crowded[k]) continue;
                       arcs.partners_of(static_cast<std::uint32_t>(k), partners);
                       for (std::uint32_t j : partners)
                         if (lowest_common_hub(fan.star[k], fan.star[j]) == hub)
