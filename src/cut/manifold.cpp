@@ -13,6 +13,8 @@ namespace {
 // is still there after two rounds of filling and carving is not worth a third.
 constexpr std::uint8_t free_flips = 4;
 
+constexpr std::size_t tetrahedra_per_tick = 1 << 16;
+
 // Where a tetrahedron stands in a star: a small open-addressing table, refilled for each star. A
 // binary search in the star costs ten times as much, in mispredicted branches.
 class StarIndex {
@@ -151,12 +153,17 @@ class Untangler {
     std::vector<Index> queue = singular_vertices(job.threads());
     queued_.assign(mesh_.points.size(), 0);
     for (Index v : queue) queued_[v] = 1;
+    std::size_t looked_at = tetrahedra_per_tick;
     for (std::size_t k = 0; k < queue.size(); ++k) {
-      if (k % 4096 == 0) job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
       const Index v = queue[k];
       queued_[v] = 0;
-      while (repair(v)) {
-      }
+      do {
+        if (looked_at >= tetrahedra_per_tick) {
+          job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
+          looked_at = 0;
+        }
+        looked_at += stars_[v].size();
+      } while (repair(v));
       for (Index w : touched_)
         if (!queued_[w]) {
           queued_[w] = 1;

@@ -147,7 +147,8 @@ void require_memory(const Mesh& mesh, const Context& context) {
 std::size_t forecast_certify_memory(std::size_t vertices, std::size_t triangles) {
   // Per vertex: where its star begins, twice while sorting, and whether it is named. Per triangle:
   // star 12, neighbours 12, component and stack 8, selection 5, boxes and nodes 24 to 72, order 4,
-  // and 16 while building.
+  // and 16 while building. Not foreseen: some 300 more for each triangle round the tip of a fan, or
+  // among long ones, whose box overlaps hundreds of others (crowd.h).
   constexpr std::size_t bytes_per_vertex = 17, bytes_per_triangle = 129;
   return bytes_per_vertex * vertices + bytes_per_triangle * triangles;
 }

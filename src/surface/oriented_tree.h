@@ -32,7 +32,10 @@ class OrientedTree {
   // Complexity: O(n log² n) at most.
   explicit OrientedTree(std::vector<LongTriangle> triangles);
 
-  // Appends the members that may meet the query and share no hub with it, in no particular order.
+  const LongTriangle& member(std::uint32_t i) const noexcept { return triangles_[i]; }
+
+  // Appends the numbers of the members that may meet the query and share no hub with it, in no
+  // particular order.
   void find(const LongTriangle& query, std::vector<std::uint32_t>& found) const;
 
  private:

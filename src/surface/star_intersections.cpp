@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/distinct.h"
 #include "base/vec.h"
@@ -52,15 +53,16 @@ bool add_hulls(Vec3 v, Vec3 p, Vec3 q, std::vector<LongTriangle>& hulls) {
 StarArcs::StarArcs(std::span<const Vec3> points, std::span<const Triangle> triangles,
                    std::span<const Index> star, Index v)
     : first_{0}, tree_({}) {
+  std::vector<LongTriangle> hulls;
   for (std::size_t k = 0; k < star.size(); ++k) {
     const Triangle& t = triangles[star[k]];
     const std::size_t at = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    if (!add_hulls(points[v], points[t[(at + 1) % 3]], points[t[(at + 2) % 3]], hulls_))
+    if (!add_hulls(points[v], points[t[(at + 1) % 3]], points[t[(at + 2) % 3]], hulls))
       everywhere_.push_back(static_cast<std::uint32_t>(k));
-    owner_.resize(hulls_.size(), static_cast<std::uint32_t>(k));
-    first_.push_back(static_cast<std::uint32_t>(hulls_.size()));
+    owner_.resize(hulls.size(), static_cast<std::uint32_t>(k));
+    first_.push_back(static_cast<std::uint32_t>(hulls.size()));
   }
-  tree_ = OrientedTree(hulls_);
+  tree_ = OrientedTree(std::move(hulls));
 }
 
 void StarArcs::partners_of(std::uint32_t k, std::vector<std::uint32_t>& partners) const {
@@ -70,7 +72,7 @@ void StarArcs::partners_of(std::uint32_t k, std::vector<std::uint32_t>& partners
     for (std::uint32_t j = k + 1; j < places; ++j) partners.push_back(j);
     return;
   }
-  for (std::uint32_t h = first_[k]; h < first_[k + 1]; ++h) tree_.find(hulls_[h], partners);
+  for (std::uint32_t h = first_[k]; h < first_[k + 1]; ++h) tree_.find(tree_.member(h), partners);
   for (std::uint32_t& h : partners) h = owner_[h];
   partners.insert(partners.end(), everywhere_.begin(), everywhere_.end());
   std::erase_if(partners, [k](std::uint32_t j) { return j <= k; });

@@ -24,11 +24,10 @@ class StarArcs {
   void partners_of(std::uint32_t k, std::vector<std::uint32_t>& partners) const;
 
  private:
-  // Triangles that hold the arcs; those of more than a right angle are cut in half.
-  std::vector<LongTriangle> hulls_;
   std::vector<std::uint32_t> owner_;       // per hull: place in the star
   std::vector<std::uint32_t> first_;       // hulls of place k: first_[k] .. first_[k + 1]
   std::vector<std::uint32_t> everywhere_;  // ascending: arcs of nearly half a turn, or unknown
+  // Of triangles that hold the arcs, hulls; arcs of more than a right angle are cut in half.
   OrientedTree tree_;
 };
 

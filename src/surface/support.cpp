@@ -96,6 +96,7 @@ FaceGaps face_gaps(const SampledSurface& surface, Job& job) {
   const std::size_t n = surface.triangles.size();
   FaceGaps result{std::vector<float>(n), std::vector<double>(n)};
   parallel_for(n, job.threads(), [&](std::size_t t) {
+    if (job.cancelled()) return;  // the next tick throws
     result.gap[t] = static_cast<float>(finder.gap(t));
     result.spacing[t] = finder.spacing(t);
   });
