@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "base/parallel.h"
+#include "feature/adopt.h"
 #include "feature/council.h"
 #include "feature/patch.h"
 #include "feature/small_planes.h"
@@ -81,7 +82,7 @@ class Senser {
   double roughness_;
 };
 
-// Adds the planes of small faces where no surface was settled.
+// Adds the planes of small faces, and exact planes from nearby, where no surface was settled.
 void find_small_planes(const std::vector<Vec3>& points, const FacetMesh& mesh,
                        const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
                        std::size_t samples, Found& settled, Job& job) {
@@ -93,6 +94,8 @@ void find_small_planes(const std::vector<Vec3>& points, const FacetMesh& mesh,
     for (std::size_t v = begin; v < end; ++v)
       if (open[v]) small.find(static_cast<Index>(v), settled[v]);
   });
+  for (Index v = 0; v < samples; ++v) open[v] = open[v] || mesh.star(v).empty();
+  adopt_planes(points, mesh, spacing, open, settled);
 }
 
 }  // namespace
