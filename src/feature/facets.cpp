@@ -64,7 +64,7 @@ std::span<const Index> FacetMesh::star_near(Index v, Index facet,
   const auto all = star(v);
   if (all.size() <= most_round) return all;
   buffer.assign(1, facet);
-  for (std::size_t way : {1, 2}) {  // facets are oriented alike: the same side leads on
+  for (const std::size_t way : {1u, 2u}) {  // facets are oriented alike: the same side leads on
     Index f = facet;
     for (std::size_t step = 0; step < most_round / 2; ++step) {
       f = neighbours[f][(corner_of(facets[f], v) + way) % 3];
