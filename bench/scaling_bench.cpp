@@ -4,6 +4,7 @@
 //   scaling_bench N [--paper]         one line of JSON
 //   scaling_bench N --to-cut [RUNS]   processor time of one thread for all that the default does
 //                                     before the first swap, and that of CGAL: medians of RUNS (3)
+//   scaling_bench N --fan             the same for two tips over a ring, with N facets each
 //   scaling_bench N --write FILE.ply  the points alone, for the peers
 //
 // The speed suite of bench/benchmark.py runs it over sizes.
@@ -37,6 +38,21 @@ std::vector<arris::Vec3> bumpy_sphere(std::size_t n) {
     const double s = std::sqrt(1 - z * z), x = s * std::cos(a), y = s * std::sin(a);
     const double r = 1 + 0.2 * std::sin(5 * x) * std::cos(4 * y) * std::sin(3 * z);
     p = {r * x, r * y, r * z};
+  }
+  return points;
+}
+
+// A dense ring and a tip on either side of it, turned so that no plane or line of it is parallel to
+// an axis: vertices of as many facets as there are points.
+std::vector<arris::Vec3> fan(std::size_t n) {
+  std::vector<arris::Vec3> points = {{0, 0, 1}, {0, 0, -1.3}};
+  for (std::size_t k = 0; k < n; ++k) {
+    const double a = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+    points.push_back({std::cos(a), std::sin(a), 0});
+  }
+  for (arris::Vec3& p : points) {
+    const double x = 0.6 * p.x - 0.8 * p.y, y = 0.8 * p.x + 0.6 * p.y;
+    p = {x, 0.6 * y - 0.8 * p.z, 0.8 * y + 0.6 * p.z};
   }
   return points;
 }
@@ -147,12 +163,13 @@ int main(int argc, char** argv) {
     return written ? 0 : fail(written.error());
   }
   arris::PointCloud cloud;
-  cloud.positions = bumpy_sphere(n);
+  cloud.positions = option == "--fan" ? fan(n) : bumpy_sphere(n);
   if (option == "--to-cut") {
     print_to_cut(cloud, argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 3);
     return 0;
   }
   arris::Options options;
+  if (option == "--fan") options.outliers = arris::Outliers::keep;  // the tips are not
   if (option == "--paper") options.method = arris::Method::paper;
   const arris::Result<arris::Reconstruction> result = arris::reconstruct(cloud, options);
   if (!result) return fail(result.error());

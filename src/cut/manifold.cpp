@@ -14,6 +14,8 @@ namespace {
 // is still there after two rounds of filling and carving is not worth a third.
 constexpr std::uint8_t free_flips = 4;
 
+constexpr std::size_t tetrahedra_per_tick = 1 << 16;
+
 // Where a tetrahedron stands in a star: a small open-addressing table, refilled for each star. A
 // binary search in the star costs ten times as much, in mispredicted branches.
 class StarIndex {
@@ -110,16 +112,14 @@ class LinkCurve {
   }
 
   // No curve, or one simple closed curve.
-  bool is_simple() const {
+  bool is_simple() {
     if (edges_.empty()) return true;
+    if (edges_.size() > few) std::sort(edges_.begin(), edges_.end());
     std::size_t at = 0;
     for (std::size_t step = 1;; ++step) {
-      std::size_t next = edges_.size();
-      for (std::size_t k = 0; k < edges_.size(); ++k) {
-        if (edges_[k].from != edges_[at].to) continue;
-        if (next != edges_.size()) return false;  // the curve meets itself here
-        next = k;
-      }
+      const std::size_t next =
+          edges_.size() > few ? only_in_order(edges_[at].to) : only_one_from(edges_[at].to);
+      if (next == edges_.size()) return false;  // the curve meets itself here
       if (next == 0) return step == edges_.size();
       at = next;
     }
@@ -128,12 +128,32 @@ class LinkCurve {
  private:
   struct Edge {
     Index from, to;
+    auto operator<=>(const Edge&) const = default;
   };
   void add(const Triangle& facet, Index v) {
     const std::size_t at = facet[0] == v ? 0 : facet[1] == v ? 1 : 2;
     edges_.push_back({facet[(at + 1) % 3], facet[(at + 2) % 3]});
   }
 
+  // Up to so many edges the search from the first on is faster.
+  static constexpr std::size_t few = 32;
+
+  // The edge that starts at v, the number of edges if there are several.
+  std::size_t only_one_from(Index v) const {
+    std::size_t found = edges_.size();
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      if (edges_[k].from != v) continue;
+      if (found != edges_.size()) return edges_.size();
+      found = k;
+    }
+    return found;
+  }
+  std::size_t only_in_order(Index v) const {
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), Edge{v, 0});
+    const auto next = at + 1;
+    if (next < edges_.end() && next->from == v) return edges_.size();
+    return static_cast<std::size_t>(at - edges_.begin());
+  }
   std::vector<Edge> edges_;
 };
 
@@ -146,12 +166,17 @@ class Untangler {
     std::vector<Index> queue = singular_vertices(job.threads());
     queued_.assign(mesh_.points.size(), 0);
     for (Index v : queue) queued_[v] = 1;
+    std::size_t looked_at = tetrahedra_per_tick;
     for (std::size_t k = 0; k < queue.size(); ++k) {
-      if (k % 4096 == 0) job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
       const Index v = queue[k];
       queued_[v] = 0;
-      while (repair(v)) {
-      }
+      do {
+        if (looked_at >= tetrahedra_per_tick) {
+          job.tick(static_cast<double>(k) / static_cast<double>(queue.size()));
+          looked_at = 0;
+        }
+        looked_at += stars_[v].size();
+      } while (repair(v));
       for (Index w : touched_)
         if (!queued_[w]) {
           queued_[w] = 1;

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include "base/angle.h"
 #include "feature/meet.h"
 #include "feature/point_grid.h"
+#include "feature/small_set.h"
 
 namespace arris {
 namespace {
@@ -31,25 +33,28 @@ constexpr double gap_length = 2.5, gap_reach = 0.6;
 constexpr std::size_t most_sides = 16;
 // Feet of the ends themselves are taken for ends nearer than this to the edge.
 constexpr double foot_reach = 0.3;
+// From so many it is a corner for sure, and they need not all be compared with each other.
+constexpr int most_votes = 256;
 // How far past a third surface an edge may run, in units of spacing.
 constexpr double overrun = 0.05;
 // Corners found from several facets are the same within this, in units of spacing.
 constexpr double same_corner = 0.05;
 
-// The sides at a point.
+// The sides at a point of a facet.
 template <class Body>
-void for_sides(const Crossing& c, Index v, Body&& body) {
-  for (const LocalSurface& s : c.sensed.at(v)) body(Side{v, &s});
+void for_sides(const Crossing& c, Index v, Index facet, Body&& body) {
+  for (const LocalSurface& s : c.sensed.at(v)) body(Side{v, &s, facet});
 }
 
 // x lies past a third surface near u or v that cuts the edge of a and b off before.
 bool is_cut_off(const Crossing& c, const Side& a, const Side& b, Vec3 x) {
   const double far = overrun * c.spacing[a.point];
   bool cut = false;
-  for (Index end : {a.point, b.point})
-    for (Index f : c.mesh.star(end))
+  std::vector<Index> buffer;
+  for (const Side& end : {a, b})
+    for (Index f : c.mesh.star_near(end.point, end.facet, buffer))
       for (Index w : c.mesh.facets[f])
-        for_sides(c, w, [&](const Side& s) {
+        for_sides(c, w, f, [&](const Side& s) {
           if (cut || w == a.point || w == b.point || c.agree(a, s) || c.agree(b, s)) return;
           const Turn turn = c.turn(a, s);
           if (turn == Turn::none || turn != c.turn(b, s)) return;
@@ -67,6 +72,15 @@ bool all_planes(std::initializer_list<const LocalSurface*> surfaces) {
                      [](const LocalSurface* s) { return s->is_plane(); });
 }
 
+// The first of the points that has no more than most_round facets, else the last: what is looked
+// for from the tip of a fan is looked for all round it.
+Index home(const Crossing& c, std::initializer_list<Index> points) {
+  Index v = no_index;
+  for (Index w : points)
+    if (v == no_index || c.mesh.star(v).size() > most_round) v = w;
+  return v;
+}
+
 void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candidate>& out) {
   if (c.turn(a, b) == Turn::none) return;
   const Vec3 u = c.points[a.point], v = c.points[b.point], middle = 0.5 * (u + v);
@@ -80,7 +94,8 @@ void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candi
     const double far = std::min(distance(*x, u), distance(*x, v)) / h;
     if (start != middle && far > foot_reach) continue;
     if (is_cut_off(c, a, b, *x)) continue;
-    out.push_back({{*x, h, false, a.point, no_index, {*a.surface, *b.surface}}, far});
+    out.push_back(
+        {{*x, h, false, home(c, {a.point, b.point}), no_index, {*a.surface, *b.surface}}, far});
     if (far > edge_reach) {
       out.back().point.gap = side;
       out.back().point.turn = c.turn(a, b);
@@ -88,54 +103,85 @@ void try_edge(const Crossing& c, const Side& a, const Side& b, std::vector<Candi
   }
 }
 
+// A point and the facet that led to it.
+struct Seen {
+  Index point, facet;
+};
+
 // A surface and the points near a facet that lie on it.
 struct Face {
   Side side;
-  std::vector<Index> points;
+  std::vector<Seen> points;
 };
 
-void add_points(const Crossing& c, Index f, std::vector<Index>& points) {
-  for (Index v : c.mesh.facets[f])
-    if (std::find(points.begin(), points.end(), v) == points.end()) points.push_back(v);
-}
+// The points round a facet, those of its neighbours first, then one ring more. Keeps its scratch.
+class Surroundings {
+ public:
+  explicit Surroundings(const FacetMesh& mesh) : mesh_(mesh) {}
+
+  void look_round(Index f) {
+    seen_.clear();
+    near_.clear();
+    add_corners(f);
+    for (Index g : mesh_.neighbours[f]) add_corners(g);
+    inner_ = near_.size();
+    for (std::size_t k = 0; k < inner_; ++k) {
+      const Seen from = near_[k];
+      for (Index g : mesh_.star_near(from.point, from.facet, buffer_)) add_corners(g);
+    }
+  }
+  const std::vector<Seen>& near() const noexcept { return near_; }
+  bool is_inner(std::size_t k) const noexcept { return k < inner_; }
+
+ private:
+  void add_corners(Index f) {
+    for (Index v : mesh_.facets[f])
+      if (seen_.insert(v)) near_.push_back({v, f});
+  }
+
+  const FacetMesh& mesh_;
+  SmallSet seen_;
+  std::vector<Seen> near_;
+  std::vector<Index> buffer_;
+  std::size_t inner_ = 0;
+};
 
 // The distinct surfaces at the corners of a facet and of its neighbours, and the planes one ring
 // farther: quadrics do not hold there.
-std::vector<Face> faces_round(const Crossing& c, Index f) {
-  std::vector<Index> near(c.mesh.facets[f].begin(), c.mesh.facets[f].end());
-  for (Index g : c.mesh.neighbours[f]) add_points(c, g, near);
-  const std::size_t inner = near.size();
-  for (std::size_t k = 0; k < inner; ++k)
-    for (Index g : c.mesh.star(near[k])) add_points(c, g, near);
+std::vector<Face> faces_round(const Crossing& c, Surroundings& round, Index f) {
+  round.look_round(f);
   std::vector<Face> faces;
-  for (std::size_t k = 0; k < near.size(); ++k)
-    for_sides(c, near[k], [&](const Side& s) {
-      if (k >= inner && !s.surface->is_plane()) return;
+  for (std::size_t k = 0; k < round.near().size(); ++k) {
+    const Seen& near = round.near()[k];
+    for_sides(c, near.point, near.facet, [&](const Side& s) {
+      if (!round.is_inner(k) && !s.surface->is_plane()) return;
       const auto same = std::find_if(faces.begin(), faces.end(),
                                      [&](const Face& face) { return c.agree(face.side, s); });
       if (same == faces.end())
-        faces.push_back({s, {near[k]}});
+        faces.push_back({s, {near}});
       else
-        same->points.push_back(near[k]);
+        same->points.push_back(near);
     });
+  }
   return faces;
 }
 
 // Somewhere they bound an edge. Not everywhere: where a face goes round a corner by more than half
 // a turn, its points are on both sides of the others.
 bool bound_edge(const Crossing& c, const Face& a, const Face& b) {
-  for (Index u : a.points)
-    for (Index v : b.points)
-      if (c.turn({u, a.side.surface}, {v, b.side.surface}) != Turn::none) return true;
+  for (const Seen& u : a.points)
+    for (const Seen& v : b.points)
+      if (c.turn({u.point, a.side.surface}, {v.point, b.side.surface}) != Turn::none) return true;
   return false;
 }
 
 // The face as seen from its point nearest to x.
 Side nearest_side(const Crossing& c, const Face& face, Vec3 x) {
-  const auto nearer = [&](Index u, Index v) {
-    return squared_length(c.points[u] - x) < squared_length(c.points[v] - x);
+  const auto nearer = [&](const Seen& u, const Seen& v) {
+    return squared_length(c.points[u.point] - x) < squared_length(c.points[v.point] - x);
   };
-  return {*std::min_element(face.points.begin(), face.points.end(), nearer), face.side.surface};
+  const Seen& nearest = *std::min_element(face.points.begin(), face.points.end(), nearer);
+  return {nearest.point, face.side.surface, nearest.facet};
 }
 
 // Where a corner is looked for: round the middle of a facet.
@@ -178,7 +224,8 @@ void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, cons
     turn[i] = c.turn(sides[i], sides[(i + 1) % 3]);
     if (is_cut_off(c, sides[i], sides[(i + 1) % 3], *x)) return;
   }
-  out.push_back({{*x, place.h, true, sides[0].point, no_index, {a, b, d}}, far / place.h});
+  const Index near = home(c, {sides[0].point, sides[1].point, sides[2].point});
+  out.push_back({{*x, place.h, true, near, no_index, {a, b, d}}, far / place.h});
   if (!across) return;
   out.back().point.gap = reach / gap_reach;
   if (turn[0] == turn[1] && turn[1] == turn[2]) out.back().point.turn = turn[0];
@@ -200,18 +247,18 @@ std::vector<std::uint8_t> near_features(const Crossing& c) {
 
 // Candidates that more others coincide with come first, then nearer ones.
 void rank_corners(std::vector<Candidate>& all) {
-  double cell = 0;
-  for (const Candidate& a : all) cell = std::max(cell, same_corner * a.point.spacing);
-  if (!(cell > 0)) return;
-  PointGrid grid(cell);
+  const auto [smallest, largest] = radii(all, same_corner);
+  if (!(largest > 0)) return;
+  PointGrid grid(largest, smallest);
   for (std::size_t i = 0; i < all.size(); ++i)
     grid.add(all[i].point.position, static_cast<Index>(i));
   std::vector<std::pair<int, std::size_t>> order(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     order[i] = {0, i};
     const FeaturePoint& p = all[i].point;
-    grid.visit(p.position, [&](Index j) {
+    grid.visit(p.position, same_corner * p.spacing, [&](Index j) {
       order[i].first += distance(all[j].point.position, p.position) <= same_corner * p.spacing;
+      return order[i].first < most_votes;
     });
   }
   std::stable_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
@@ -225,15 +272,24 @@ void rank_corners(std::vector<Candidate>& all) {
 
 }  // namespace
 
+std::array<double, 2> radii(const std::vector<Candidate>& candidates, double share) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Candidate& c : candidates) {
+    smallest = std::min(smallest, share * c.point.spacing);
+    largest = std::max(largest, share * c.point.spacing);
+  }
+  return {smallest, largest};
+}
+
 std::vector<Candidate> edge_candidates(const Crossing& c, Job& job) {
   std::vector<Candidate> found;
   for (Index f = 0; f < c.mesh.facets.size(); ++f) {
-    if (f % 65536 == 0) job.tick(0);
+    if (f % 4096 == 0) job.tick(0);
     for (std::size_t i = 0; i < 3; ++i) {
       const Index u = c.mesh.facets[f][i], v = c.mesh.facets[f][(i + 1) % 3];
       if (u > v || !c.crosses(u, v)) continue;
-      for_sides(c, u, [&](const Side& a) {
-        for_sides(c, v, [&](const Side& b) { try_edge(c, a, b, found); });
+      for_sides(c, u, f, [&](const Side& a) {
+        for_sides(c, v, f, [&](const Side& b) { try_edge(c, a, b, found); });
       });
     }
   }
@@ -245,12 +301,13 @@ std::vector<Candidate> edge_candidates(const Crossing& c, Job& job) {
 std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
   std::vector<Candidate> found;
   const std::vector<std::uint8_t> near = near_features(c);
+  Surroundings round(c.mesh);
   for (Index f = 0; f < c.mesh.facets.size(); ++f) {
-    if (f % 65536 == 0) job.tick(0);
+    if (f % 4096 == 0) job.tick(0);
     const Triangle& t = c.mesh.facets[f];
     if (!near[t[0]] && !near[t[1]] && !near[t[2]]) continue;
     if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
-    const std::vector<Face> faces = faces_round(c, f);
+    const std::vector<Face> faces = faces_round(c, round, f);
     if (faces.size() > most_sides) continue;
     const Place place = place_at(c, t);
     for (std::size_t i = 0; i < faces.size(); ++i)

@@ -1,6 +1,7 @@
 // Candidates for feature points: where the surfaces on both sides of a crossing meet.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/job.h"
@@ -26,6 +27,9 @@ struct Candidate {
   FeaturePoint point;
   double far;  // from the nearest (edge) or farthest (corner) point it was found from, over h
 };
+
+// The smallest and the largest of `share` of the spacings; infinity and 0 if there are none.
+std::array<double, 2> radii(const std::vector<Candidate>& candidates, double share);
 
 // On edges: for each crossing side the points of the curve across its middle and nearest to its
 // ends. O(facets).

@@ -10,6 +10,10 @@ namespace {
 
 constexpr int least_support = 3;
 
+// The nearest points that are heard: within two rings there are 20 to 100, but thousands round the
+// tip of a cone.
+constexpr std::size_t most_near = 4 * most_round;
+
 bool is_same_side(const LocalSurface& s, Vec3 normal, Vec3 p) {
   static const double crease = std::cos(radians(least_crease_degrees));
   return dot(s.normal(p), normal) >= crease;
@@ -76,6 +80,7 @@ int Council::support(const LocalSurface& s, Vec3 normal, double far, double cosi
 
 void Council::settle(Index v, std::vector<LocalSurface>& out) {
   two_rings(mesh_, v, near_);
+  keep_nearest(points_, v, most_near, near_);
   for (bool loosely : {false, true}) {
     propose(v, loosely ? loose : tight, loosely);
     std::stable_sort(proposals_.begin(), proposals_.end(),

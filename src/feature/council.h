@@ -31,7 +31,7 @@ class Council {
           double roughness)
       : points_(points), mesh_(mesh), spacing_(spacing), found_(found), roughness_(roughness) {}
 
-  // Appends the surfaces at v. O(degree^4), all small.
+  // Appends the surfaces at v. O(n²) for the n points heard, a few hundred at most.
   void settle(Index v, std::vector<LocalSurface>& out);
 
  private:

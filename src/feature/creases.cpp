@@ -7,6 +7,7 @@
 #include "base/angle.h"
 #include "base/parallel.h"
 #include "base/vec.h"
+#include "feature/small_set.h"
 
 namespace arris {
 namespace {
@@ -29,6 +30,9 @@ constexpr std::uint32_t shortest_line = 5, least_strong = 2;
 
 // Cosine of the largest bend of a line from one edge to the next, 53 degrees.
 constexpr double sharpest_bend = 0.6;
+
+// Where more meet no line goes on: it is the tip of a jagged fan. All pairs would be tried.
+constexpr std::size_t most_creases = 64;
 
 // How far the curvature beside an edge is measured, in mean lengths of the edges at its ends.
 constexpr double reach = 2.0;
@@ -89,6 +93,8 @@ class Side {
     const double l = length(away);
     away_ = l > 0 ? 1 / l * away : Vec3{};
     faces_.assign(1, first);
+    seen_.clear();
+    seen_.insert(first);
   }
 
   Vec3 across(Vec3 p) const {
@@ -112,7 +118,7 @@ class Side {
     if (f == no_index || faces_.size() == most_faces) return;
     const Vec3 c = centroid(f);
     if (depth(c) <= 0 || distance(c, middle_) > radius_) return;
-    if (std::find(faces_.begin(), faces_.end(), f) == faces_.end()) faces_.push_back(f);
+    if (seen_.insert(f)) faces_.push_back(f);
   }
 
   const Mesh& mesh_;
@@ -120,17 +126,21 @@ class Side {
   Vec3 middle_, along_, away_;
   double limit_ = 0, radius_ = 0;
   std::vector<Index> faces_;
+  SmallSet seen_;
 };
 
-double mean_length_round(const MeshEdges& edges, Index e) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (Index v : edges.edges[e].ends)
-    for (Index o : edges.at(v)) {
-      sum += edges.edges[o].length;
-      ++count;
-    }
-  return sum / static_cast<double>(count);
+// Per vertex the lengths of the edges there, summed.
+std::vector<double> lengths_round(const MeshEdges& edges) {
+  std::vector<double> sum(edges.star_begin.size() - 1, 0);
+  for (const MeshEdge& edge : edges.edges)
+    for (Index v : edge.ends) sum[v] += edge.length;
+  return sum;
+}
+
+// Of the edges at both ends of e.
+double mean_length_round(const MeshEdges& edges, const std::vector<double>& round, Index e) {
+  const auto [u, v] = edges.edges[e].ends;
+  return (round[u] + round[v]) / static_cast<double>(edges.at(u).size() + edges.at(v).size());
 }
 
 // Triangle f is part of a larger facet beside its edge e.
@@ -142,11 +152,11 @@ bool is_in_flat_facet(const MeshEdges& edges, Index f, Index e) {
   });
 }
 
-Crease judge(const MeshEdges& edges, Side& side, Index e) {
+Crease judge(const MeshEdges& edges, const std::vector<double>& round, Side& side, Index e) {
   const MeshEdge& edge = edges.edges[e];
   const double turning = std::abs(edge.turning);
   if (turning < weak_angle || edge.faces[1] == no_index || edge.length == 0) return Crease::none;
-  const double spacing = mean_length_round(edges, e);
+  const double spacing = mean_length_round(edges, round, e);
   const double rate = std::max(side.turning_rate(e, edge.faces[0], spacing),
                                side.turning_rate(e, edge.faces[1], spacing));
   const double expected = rate * std::max(edge.dual, least_dual * spacing);
@@ -209,10 +219,13 @@ class Lines {
 
 std::vector<Crease> judge_edges(const Mesh& mesh, const MeshEdges& edges, Job& job) {
   std::vector<Crease> crease(edges.edges.size(), Crease::none);
+  const std::vector<double> round = lengths_round(edges);
   constexpr std::size_t grain = 4096;
   parallel_chunks(crease.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;  // the next tick throws
     Side side(mesh, edges);
-    for (std::size_t e = begin; e < end; ++e) crease[e] = judge(edges, side, static_cast<Index>(e));
+    for (std::size_t e = begin; e < end; ++e)
+      crease[e] = judge(edges, round, side, static_cast<Index>(e));
   });
   return crease;
 }
@@ -220,14 +233,16 @@ std::vector<Crease> judge_edges(const Mesh& mesh, const MeshEdges& edges, Job& j
 std::vector<std::uint8_t> connect_creases(const Mesh& mesh, const MeshEdges& edges,
                                           const std::vector<Crease>& crease) {
   Lines lines(crease.size());
+  std::vector<Index> here;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const auto star = edges.at(static_cast<Index>(v));
-    for (std::size_t i = 0; i < star.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const Index e = star[i], f = star[j];
-        if (crease[e] == Crease::none || crease[f] == Crease::none) continue;
-        if (goes_on(mesh, edges, e, static_cast<Index>(v), f)) lines.join(e, f);
-      }
+    here.clear();
+    for (Index e : edges.at(static_cast<Index>(v)))
+      if (crease[e] != Crease::none) here.push_back(e);
+    if (here.size() > most_creases) continue;
+    for (std::size_t i = 0; i < here.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (goes_on(mesh, edges, here[i], static_cast<Index>(v), here[j]))
+          lines.join(here[i], here[j]);
   }
   return lines.worth_keeping(crease);
 }

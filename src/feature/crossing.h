@@ -13,6 +13,7 @@ namespace arris {
 struct Side {
   Index point;
   const LocalSurface* surface;
+  Index facet = no_index;  // one at the point: where one looks round it from, if one does
 };
 
 // +1: the material's edge is convex, -1: concave, 0: the surfaces do not bound an edge there.

@@ -20,8 +20,9 @@ void thin(const std::vector<Candidate>& candidates, const NearestSample& nearest
   for (const Candidate& c : candidates) {
     const FeaturePoint& p = c.point;
     bool free = true;
-    grid.visit(p.position, [&](Index i) {
-      free = free && distance(features[i].position, p.position) >= apart * p.spacing;
+    grid.visit(p.position, apart * p.spacing, [&](Index i) {
+      free = distance(features[i].position, p.position) >= apart * p.spacing;
+      return free;
     });
     if (!free || nearest(p.position).distance < occupied * p.spacing) continue;
     grid.add(p.position, static_cast<Index>(features.size()));
@@ -36,12 +37,6 @@ void drop_refused(const std::vector<FeaturePoint>& refused, std::vector<Candidat
              return distance(r.position, c.point.position) <= r.gap;
            });
   });
-}
-
-double largest_spacing(const std::vector<Candidate>& candidates) {
-  double h = 0;
-  for (const Candidate& c : candidates) h = std::max(h, c.point.spacing);
-  return h;
 }
 
 // The samples that lie on a feature themselves.
@@ -67,10 +62,12 @@ void insert_feature_points(const std::vector<Vec3>& points, std::size_t samples,
   std::vector<Candidate> edges = edge_candidates(crossing, job);
   drop_refused(refused, corners);
   drop_refused(refused, edges);
-  const double cell = apart * std::max(largest_spacing(corners), largest_spacing(edges));
-  if (!(cell > 0)) return;
+  const auto [least_corner, most_corner] = radii(corners, apart);
+  const auto [least_edge, most_edge] = radii(edges, apart);
+  const double largest = std::max(most_corner, most_edge);
+  if (!(largest > 0)) return;
   const NearestSample nearest(points);
-  PointGrid grid(cell);
+  PointGrid grid(largest, std::min(least_corner, least_edge));
   for (std::size_t i = 0; i < features.size(); ++i) {
     features[i].vertex = static_cast<Index>(samples + i);
     grid.add(features[i].position, static_cast<Index>(i));

@@ -14,6 +14,10 @@ namespace {
 constexpr int longest_gap = 3;
 constexpr double gap_turning = radians(4), gap_bend = radians(50);
 
+// A gap does not lead through the tip of a fan of more edges: every loose end at its rim would look
+// at all of them.
+constexpr std::size_t most_edges = 64;
+
 // A loose end shorter than this many edges is a stub, a line loose at both ends one of fewer than
 // twice as many.
 constexpr std::size_t shortest_spur = 3;
@@ -23,6 +27,7 @@ std::vector<Index> path_on(const Network& network, Index v, Index e) {
   const MeshEdges& edges = network.edges();
   std::vector<Index> path;
   for (int step = 0; step < longest_gap; ++step) {
+    if (edges.at(v).size() > most_edges) return {};
     Index best = no_index;
     for (Index o : edges.at(v)) {
       if (o == e || network.has(o) || std::abs(edges.edges[o].turning) < gap_turning ||

@@ -6,6 +6,7 @@
 #include "base/distinct.h"
 #include "base/parallel.h"
 #include "base/vec.h"
+#include "feature/small_set.h"
 
 namespace arris {
 namespace {
@@ -19,7 +20,8 @@ constexpr double least_likeness = 0.12, most_likeness = 0.35;
 constexpr int passes = 15;
 constexpr std::size_t grain = 1024;  // facets a chunk
 
-// The facets that share a point with each, itself among them, but for slivers; in compressed rows.
+// The facets that share a point with each, itself among them, but for slivers; at a point of very
+// many those near it. In compressed rows.
 struct Links {
   std::vector<std::size_t> first{0};
   std::vector<Index> facet;
@@ -43,11 +45,13 @@ std::vector<Middle> middles(const std::vector<Vec3>& points, const FacetMesh& me
 Links link_facets(const std::vector<Vec3>& points, const FacetMesh& mesh) {
   const std::vector<Middle> all = middles(points, mesh);
   Links links;
-  std::vector<Index> near;
+  std::vector<Index> near, buffer;
   for (std::size_t f = 0; f < all.size(); ++f) {
     near.clear();
-    for (Index v : mesh.facets[f])
-      near.insert(near.end(), mesh.star(v).begin(), mesh.star(v).end());
+    for (Index v : mesh.facets[f]) {
+      const auto star = mesh.star_near(v, static_cast<Index>(f), buffer);
+      near.insert(near.end(), star.begin(), star.end());
+    }
     keep_distinct(near);
     double variance = 0;
     for (Index g : near) variance += squared_length(all[g].at - all[f].at);
@@ -69,19 +73,19 @@ Vec3 unit(Vec3 v) {
 }
 
 // The median turn, as a chord, at the sides of the facets linked to those linked to f.
-double usual_turn(const Links& links, const FacetMesh& mesh, std::size_t f,
-                  std::vector<Index>& near, std::vector<double>& turns) {
-  near.clear();
-  for (std::size_t k = links.first[f]; k < links.first[f + 1]; ++k) {
-    const Index g = links.facet[k];
-    for (std::size_t j = links.first[g]; j < links.first[g + 1]; ++j)
-      near.push_back(links.facet[j]);
-  }
-  keep_distinct(near);
+double usual_turn(const Links& links, const FacetMesh& mesh, std::size_t f, SmallSet& seen,
+                  std::vector<double>& turns) {
+  seen.clear();
   turns.clear();
-  for (Index g : near)
-    for (Index o : mesh.neighbours[g])
-      if (!(mesh.normal[o] == Vec3{})) turns.push_back(length(mesh.normal[o] - mesh.normal[g]));
+  for (std::size_t k = links.first[f]; k < links.first[f + 1]; ++k) {
+    const Index l = links.facet[k];
+    for (std::size_t j = links.first[l]; j < links.first[l + 1]; ++j) {
+      const Index g = links.facet[j];
+      if (!seen.insert(g)) continue;
+      for (Index o : mesh.neighbours[g])
+        if (!(mesh.normal[o] == Vec3{})) turns.push_back(length(mesh.normal[o] - mesh.normal[g]));
+    }
+  }
   if (turns.empty()) return 0;
   const auto middle = turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2);
   std::nth_element(turns.begin(), middle, turns.end());
@@ -91,10 +95,10 @@ double usual_turn(const Links& links, const FacetMesh& mesh, std::size_t f,
 std::vector<double> choose_likeness(const Links& links, const FacetMesh& mesh, unsigned threads) {
   std::vector<double> result(mesh.facets.size());
   parallel_chunks(result.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index> near;
+    SmallSet seen;
     std::vector<double> turns;
     for (std::size_t f = begin; f < end; ++f)
-      result[f] = std::clamp(likeness_in_turns * usual_turn(links, mesh, f, near, turns),
+      result[f] = std::clamp(likeness_in_turns * usual_turn(links, mesh, f, seen, turns),
                              least_likeness, most_likeness);
   });
   return result;

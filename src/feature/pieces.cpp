@@ -21,10 +21,11 @@ Piece find_piece(const std::vector<Vec3>& points, const FacetMesh& mesh,
     piece.width = piece.width > 0 ? std::min(piece.width, width) : width;
   }
   double most = 0;
+  std::vector<Index> buffer;
   for (Index f : mesh.star(v)) {
     Vec3 sum{};
     double all = 0;
-    for (Index g : mesh.star(v)) {
+    for (Index g : mesh.star_near(v, f, buffer)) {
       const double weight = angle_at(points, mesh.facets[g], v) *
                             falloff(filtered.normal[f] - filtered.normal[g], piece.width);
       sum = sum + weight * filtered.normal[g];
@@ -55,13 +56,18 @@ std::vector<Piece> find_pieces(const std::vector<Vec3>& points, const FacetMesh&
 
 const std::vector<Index>& PieceWalk::from(Index v, const std::vector<Vec3>& points, double far) {
   found_.assign(1, v);
+  from_.clear();
   seen_.clear();
   seen_.insert(v);
+  if (mesh_.star(v).empty()) return found_;
+  from_.push_back(mesh_.star(v)[0]);
   for (std::size_t k = 0; k < found_.size(); ++k)
-    for (Index f : mesh_.star(found_[k]))
+    for (Index f : mesh_.star_near(found_[k], from_[k], buffer_))
       for (Index w : mesh_.facets[f]) {
         if (!seen_.insert(w)) continue;
-        if (distance(points[w], points[v]) <= far && is_alike(v, w)) found_.push_back(w);
+        if (distance(points[w], points[v]) > far || !is_alike(v, w)) continue;
+        found_.push_back(w);
+        from_.push_back(f);
       }
   return found_;
 }

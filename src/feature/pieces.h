@@ -40,6 +40,7 @@ class PieceWalk {
   const std::vector<Piece>& pieces_;
   SmallSet seen_;
   std::vector<Index> found_;
+  std::vector<Index> from_, buffer_;  // the facet over which each was found
 };
 
 }  // namespace arris

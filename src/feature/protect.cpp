@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cloud/nearest.h"
 #include "feature/meet.h"
@@ -29,8 +30,12 @@ constexpr double inside = 0.499;
 class Protector {
  public:
   Protector(const std::vector<Vec3>& points, const NearestSample& nearest, const FacetMesh& mesh,
-            std::vector<FeaturePoint>& all, double h)
-      : points_(points), nearest_(nearest), mesh_(mesh), all_(all), grid_(reach * h) {
+            std::vector<FeaturePoint>& all, double smallest, double largest)
+      : points_(points),
+        nearest_(nearest),
+        mesh_(mesh),
+        all_(all),
+        grid_(reach * largest, occupied * smallest) {
     for (std::size_t i = 0; i < all_.size(); ++i)
       grid_.add(all_[i].position, static_cast<Index>(i));
   }
@@ -79,12 +84,16 @@ class Protector {
 
   bool is_occupied(Vec3 x, double radius) const {
     bool occupied_by = nearest_(x).distance < radius;
-    grid_.visit(x, [&](Index i) { occupied_by |= distance(all_[i].position, x) < radius; });
+    grid_.visit(x, radius, [&](Index i) {
+      occupied_by = occupied_by || distance(all_[i].position, x) < radius;
+      return !occupied_by;
+    });
     return occupied_by;
   }
 
   bool is_side(Index u, Index v) const {
     if (u == no_index || v == no_index) return false;
+    if (mesh_.star(u).size() > mesh_.star(v).size()) std::swap(u, v);
     return std::any_of(mesh_.star(u).begin(), mesh_.star(u).end(), [&](Index f) {
       const Triangle& t = mesh_.facets[f];
       return t[0] == v || t[1] == v || t[2] == v;
@@ -96,13 +105,14 @@ class Protector {
              Vec3 direction) const {
     Index best = no_index;
     double nearest = reach * p.spacing;
-    grid_.visit(p.position, [&](Index i) {
+    grid_.visit(p.position, nearest, [&](Index i) {
       const Vec3 d = all_[i].position - p.position;
       const double far = length(d);
-      if (!(far > 0) || far >= nearest || dot(d, direction) < ahead * far) return;
-      if (!has(all_[i], a) || !has(all_[i], b)) return;
+      if (!(far > 0) || far >= nearest || dot(d, direction) < ahead * far) return true;
+      if (!has(all_[i], a) || !has(all_[i], b)) return true;
       best = i;
       nearest = far;
+      return true;
     });
     return best;
   }
@@ -128,11 +138,14 @@ void protect_curves(const std::vector<Vec3>& points, const NearestSample& neares
                     std::vector<FeaturePoint>& features, Job& job) {
   std::vector<FeaturePoint> all = features;
   all.insert(all.end(), marked.begin(), marked.end());
-  double h = 0;
-  for (const FeaturePoint& p : all) h = std::max(h, p.spacing);
-  if (!(h > 0)) return;
+  if (all.empty()) return;
+  const auto [low, high] = std::minmax_element(
+      all.begin(), all.end(),
+      [](const FeaturePoint& p, const FeaturePoint& q) { return p.spacing < q.spacing; });
+  const double smallest = low->spacing, largest = high->spacing;
+  if (!(largest > 0)) return;
   const auto known = static_cast<std::ptrdiff_t>(all.size());
-  Protector(points, nearest, mesh, all, h).run(job);
+  Protector(points, nearest, mesh, all, smallest, largest).run(job);
   features.insert(features.end(), all.begin() + known, all.end());
 }
 

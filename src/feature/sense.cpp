@@ -85,10 +85,11 @@ class Senser {
 // Adds the planes of small faces, and exact planes from nearby, where no surface was settled.
 void find_small_planes(const std::vector<Vec3>& points, const FacetMesh& mesh,
                        const std::vector<double>& spacing, const std::vector<std::uint8_t>& wanted,
-                       std::size_t samples, unsigned threads, Found& settled) {
+                       std::size_t samples, Found& settled, Job& job) {
   std::vector<std::uint8_t> open(points.size(), 0);
   for (std::size_t v = 0; v < samples; ++v) open[v] = wanted[v] && settled[v].empty();
-  parallel_chunks(samples, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallel_chunks(samples, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     SmallPlanes small(points, mesh, spacing, open);
     for (std::size_t v = begin; v < end; ++v)
       if (open[v]) small.find(static_cast<Index>(v), settled[v]);
@@ -114,19 +115,19 @@ Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
   for (std::size_t v = open; v < points.size(); ++v)
     if (wanted[v]) found[v] = settled[v] = known[v - open];
   parallel_chunks(open, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
-    if (job.cancelled()) return;
+    if (job.cancelled()) return;  // the next tick throws
     Senser senser(points, mesh, spacing, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) senser.sense(static_cast<Index>(v), found[v]);
   });
   job.tick(0.7);
   parallel_chunks(open, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     Council council(points, mesh, spacing, found, roughness);
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) council.settle(static_cast<Index>(v), settled[v]);
   });
-  if (roughness == 0)
-    find_small_planes(points, mesh, spacing, wanted, open, job.threads(), settled);
+  if (roughness == 0) find_small_planes(points, mesh, spacing, wanted, open, settled, job);
   job.tick(1);
   Sensed sensed;
   sensed.first.assign(points.size() + 1, 0);

@@ -34,6 +34,10 @@ constexpr double smallest_area = 0.05;
 // A point off the surface looks at the triangles round this many points on it.
 constexpr std::size_t nearest_present = 4;
 
+// Of a neighbour with more triangles than this, the tip of a cone, only those count that its other
+// neighbours have too: the nearest ones.
+constexpr std::size_t most_triangles = 64;
+
 class Finder {
  public:
   Finder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
@@ -94,9 +98,11 @@ class Finder {
       for (const NearestSample::Hit& hit : s.hits) s.ring.push_back(present_[hit.index]);
     }
     keep_distinct(s.ring);
-    for (Index v : s.ring)
+    for (Index v : s.ring) {
+      if (stars_[v].size() > most_triangles) continue;
       for (Index t : stars_[v])
         if (!has_corner(t, p)) s.facets.push_back(t);
+    }
     keep_distinct(s.facets);
   }
 

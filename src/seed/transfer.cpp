@@ -27,6 +27,46 @@ std::vector<std::uint8_t> places_round(const TetMesh& fine, const std::vector<st
   return round;
 }
 
+// A tetrahedron at a point of more than this many can be so long that a walk from one of its
+// corners to its centroid crosses very many others.
+constexpr Index most_round = 256;
+
+std::vector<std::uint8_t> points_of_many(const TetMesh& mesh) {
+  std::vector<Index> degree(mesh.points.size(), 0);
+  for (const auto& corners : mesh.vertices)
+    for (Index v : corners)
+      if (v != infinite_vertex) ++degree[v];
+  std::vector<std::uint8_t> many(degree.size());
+  for (std::size_t v = 0; v < many.size(); ++v) many[v] = degree[v] > most_round;
+  return many;
+}
+
+// Where in the coarse mesh the centroids of the `wanted` tetrahedra lie; no_tet for others. One
+// after the other, from neighbour to neighbour, so that each walk begins near its end; `start[t]`
+// is where the first of each connected group begins.
+template <class Start>
+std::vector<Tet> locate_in_turn(const TetMesh& coarse, const TetMesh& fine,
+                                const std::vector<std::uint8_t>& wanted, Start&& start, Job& job) {
+  std::vector<Tet> place(fine.finite, no_tet), stack;
+  std::size_t done = 0;
+  const auto visit = [&](Tet t, Tet from) {
+    if (done++ % 4096 == 0) job.tick(0);
+    place[t] = locate(coarse, centroid(fine, t), from);
+    stack.push_back(t);
+  };
+  for (Tet first = 0; first < fine.finite; ++first) {
+    if (!wanted[first] || place[first] != no_tet) continue;
+    visit(first, start(first));
+    while (!stack.empty()) {
+      const Tet t = stack.back();
+      stack.pop_back();
+      for (Tet n : fine.neighbours[t])
+        if (fine.is_finite(n) && wanted[n] && place[n] == no_tet) visit(n, place[t]);
+    }
+  }
+  return place;
+}
+
 }  // namespace
 
 Seeds transfer_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& seeds,
@@ -66,6 +106,19 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
                    Job& job) {
   job.tick(0);
   const std::vector<Tet> star = star_seeds(coarse);
+  const std::vector<std::uint8_t> many = points_of_many(fine);
+  const auto star_round = [&](Tet t) {
+    const auto& corners = fine.vertices[t];
+    const Index v = *std::min_element(corners.begin(), corners.end());
+    return star[v < coarse.points.size() ? v : near[v - coarse.points.size()]];
+  };
+  std::vector<std::uint8_t> long_way(fine.finite);
+  parallel_for(fine.finite, job.threads(), [&](std::size_t t) {
+    const auto& corners = fine.vertices[t];
+    long_way[t] = former[t] == no_tet && std::any_of(corners.begin(), corners.end(),
+                                                     [&](Index v) { return many[v] != 0; });
+  });
+  const std::vector<Tet> located = locate_in_turn(coarse, fine, long_way, star_round, job);
   Seeds result;
   result.contradiction = seeds.contradiction;
   result.confidence = seeds.confidence;
@@ -74,10 +127,8 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
   result.hint.assign(fine.finite, 0);
   const auto label_at = [&](Tet t) {
     if (former[t] != no_tet) return labels[former[t]];
-    const auto& corners = fine.vertices[t];
-    const Index v = *std::min_element(corners.begin(), corners.end());
-    const Index known = v < coarse.points.size() ? v : near[v - coarse.points.size()];
-    return labels[locate(coarse, centroid(fine, t), star[known])];
+    if (located[t] != no_tet) return labels[located[t]];
+    return labels[locate(coarse, centroid(fine, t), star_round(t))];
   };
   std::vector<std::uint8_t> place(near.size());
   parallel_for(near.size(), job.threads(), [&](std::size_t k) {

@@ -75,10 +75,21 @@ class BoxTree {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
   }
 
+  const Frame& frame() const noexcept { return frame_; }
+
   // Calls visit(position), in ascending order, for every triangle at a position >= first whose box
   // overlaps `query`.
   template <class Visit>
   void for_each_overlap(const Box& query, std::size_t first, Visit&& visit) const {
+    for_overlaps_while(query, first, [&](std::size_t position) {
+      visit(position);
+      return true;
+    });
+  }
+
+  // The same until visit(position) returns false.
+  template <class Visit>
+  void for_overlaps_while(const Box& query, std::size_t first, Visit&& visit) const {
     if (boxes_.empty()) return;
     std::array<Range, 2 * max_depth> stack;
     std::size_t top = 0;
@@ -88,7 +99,7 @@ class BoxTree {
       if (r.end <= first || !nodes_[r.node].overlaps(query)) continue;
       if (r.end - r.begin <= leaf_size) {
         for (std::size_t i = r.begin > first ? r.begin : first; i < r.end; ++i)
-          if (boxes_[i].overlaps(query)) visit(i);
+          if (boxes_[i].overlaps(query) && !visit(i)) return;
       } else {
         stack[top++] = r.right();
         stack[top++] = r.left();

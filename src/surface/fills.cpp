@@ -31,6 +31,7 @@ class FillFinder {
         triangles_(triangles),
         topology_(topology),
         filled_(triangles.size(), 0),
+        taken_(triangles.size(), 0),
         area_(triangles.size()) {
     for (std::size_t t = 0; t < area_.size(); ++t)
       area_[t] = face_area(t) / (gaps.spacing[t] * gaps.spacing[t]);
@@ -115,39 +116,43 @@ class FillFinder {
   }
 
   bool keep_largest_fan(Index v, std::span<const Index> star) {
-    std::vector<Index> best, left;
+    std::vector<Index> best, fan;
     double best_area = 0;
-    for (Index t : star)
-      if (!filled_[t]) left.push_back(t);
-    const std::vector<Index> all = left;
-    while (!left.empty()) {
-      const std::vector<Index> fan = take_fan(v, left);
+    bool changed = false;
+    for (Index first : star) {
+      if (filled_[first] || taken_[first]) continue;
+      take_fan(v, first, fan);
       double area = 0;
       for (Index t : fan) area += area_[t];
       if (best.empty() || area > best_area) {
-        best = fan;
+        best.swap(fan);
         best_area = area;
       }
     }
-    for (Index t : all)
-      if (std::find(best.begin(), best.end(), t) == best.end()) filled_[t] = 1;
-    return best.size() < all.size();
+    for (Index t : star) taken_[t] = 0;
+    for (Index t : best) taken_[t] = 1;
+    for (Index t : star)
+      if (!filled_[t] && !taken_[t]) {
+        filled_[t] = 1;
+        changed = true;
+      }
+    for (Index t : best) taken_[t] = 0;
+    return changed;
   }
 
-  // Moves the fan of the first of `left` from there to the result.
-  std::vector<Index> take_fan(Index v, std::vector<Index>& left) const {
-    std::vector<Index> fan = {left.front()};
-    left.erase(left.begin());
+  // The fan of supported faces round v that `first` is of; marks them as taken.
+  void take_fan(Index v, Index first, std::vector<Index>& fan) {
+    fan.assign(1, first);
+    taken_[first] = 1;
     for (std::size_t k = 0; k < fan.size(); ++k)
       for (std::size_t side = 0; side < 3; ++side) {
         const Triangle& c = triangles_[fan[k]];
         if (c[side] != v && c[(side + 1) % 3] != v) continue;
-        const auto found = std::find(left.begin(), left.end(), topology_.neighbours[fan[k]][side]);
-        if (found == left.end()) continue;
-        fan.push_back(*found);
-        left.erase(found);
+        const Index n = topology_.neighbours[fan[k]][side];
+        if (n == no_index || filled_[n] || taken_[n]) continue;
+        taken_[n] = 1;
+        fan.push_back(n);
       }
-    return fan;
   }
 
   // Supported faces that hang by one edge, too far or as a sliver.
@@ -182,7 +187,8 @@ class FillFinder {
   std::span<const Triangle> triangles_;
   const MeshTopology& topology_;
   std::vector<std::uint8_t> filled_;
-  std::vector<double> area_;  // in squares of the local spacing
+  std::vector<std::uint8_t> taken_;  // all 0 between calls
+  std::vector<double> area_;         // in squares of the local spacing
 };
 
 std::vector<Attribute> pick(const std::vector<Attribute>& attributes,

@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/vec.h"
 #include "support/known_solids.h"
@@ -103,6 +105,33 @@ TEST(MakeManifold, FlipsOneTetrahedronToCloseAPinch) {
   ASSERT_FALSE(topology(mesh, labels).manifold);
   EXPECT_EQ(untangle(mesh, labels), 1u);
   EXPECT_TRUE(topology(mesh, labels).manifold);
+}
+
+// n tetrahedra like the slices of a cake: the link of each end of the axis has up to n + 2 edges.
+TEST(Manifold, EndsOfAnEdgeWithVeryManyTetrahedraAreJudgedAsOthers) {
+  constexpr Index n = 200;
+  std::vector<Vec3> points = {{0, 0, 0.3}, {0, 0, -0.3}};
+  for (Index k = 0; k < n; ++k) {
+    const double a = 2 * std::numbers::pi * k / n;
+    points.push_back({std::cos(a), std::sin(a), 0});
+  }
+  const TetMesh mesh = delaunay_of(points);
+  const Stars stars(mesh);
+  const auto regular_ends = [&](auto&& is_inside) {
+    Labels labels(mesh.size(), 0);
+    for (Tet t = 0; t < mesh.finite; ++t) {
+      const Vec3 c = centroid_of(mesh, t);
+      labels[t] = is_inside(std::atan2(c.y, c.x));
+    }
+    int regular = 0;
+    for (Index v = 0; v < n + 2; ++v)
+      if (squared_length(mesh.points[v] - Vec3{0, 0, mesh.points[v].z}) < 0.5)
+        regular += is_regular_vertex(mesh, labels, stars[v], v);
+    return regular;
+  };
+  EXPECT_EQ(regular_ends([](double) { return true; }), 2);
+  EXPECT_EQ(regular_ends([](double a) { return a > 0.1; }), 2);
+  EXPECT_EQ(regular_ends([](double a) { return std::abs(a) > 0.5 && std::abs(a) < 2; }), 0);
 }
 
 }  // namespace

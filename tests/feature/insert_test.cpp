@@ -36,7 +36,7 @@ RC_GTEST_PROP(PointGrid, VisitsAllWithinACell, ()) {
   for (int query = 0; query < 20; ++query) {
     const Vec3 x{coordinate(), coordinate(), coordinate()};
     std::set<Index> visited;
-    grid.visit(x, [&](Index i) { visited.insert(i); });
+    grid.visit(x, cell, [&](Index i) { return visited.insert(i), true; });
     for (std::size_t i = 0; i < points.size(); ++i)
       if (distance(points[i], x) < cell) RC_ASSERT(visited.count(static_cast<Index>(i)) == 1);
     for (const Index i : visited) RC_ASSERT(i < points.size());
@@ -49,7 +49,7 @@ TEST(PointGrid, LeavesOutWhatIsFar) {
   std::vector<Index> found;
   const auto visit = [&](Vec3 x) {
     found.clear();
-    grid.visit(x, [&](Index i) { found.push_back(i); });
+    grid.visit(x, 1, [&](Index i) { return found.push_back(i), true; });
     return found.size();
   };
   EXPECT_EQ(visit({0.9, -0.1, 1.9}), 1u);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/failure.h"
 #include "feature/sensing.h"
 #include "support/creases.h"
@@ -36,6 +37,53 @@ TEST(FacetMesh, KnowsWhatIsRoundAPointAndAcrossASide) {
       EXPECT_EQ(std::count(other.begin(), other.end(), mesh.facets[f][(i + 1) % 3]), 1);
       EXPECT_EQ(std::count(other.begin(), other.end(), mesh.facets[f][(i + 2) % 3]), 1);
     }
+}
+
+// A ring of n points, 0 .. n - 1, and two tips.
+Mesh bipyramid(Index n) {
+  Mesh mesh;
+  for (Index k = 0; k < n; ++k) {
+    const double a = radians(360.0 * k / n);
+    mesh.vertices.push_back({std::cos(a), std::sin(a), 0});
+    mesh.triangles.push_back({k, (k + 1) % n, n});
+    mesh.triangles.push_back({(k + 1) % n, k, n + 1});
+  }
+  mesh.vertices.push_back({0, 0, 1});
+  mesh.vertices.push_back({0, 0, -1});
+  return mesh;
+}
+
+TEST(FacetMesh, OfAPointWithVeryManyFacetsThoseNearOneAreSeen) {
+  constexpr Index n = 1000;
+  const Mesh shape = bipyramid(n);
+  const FacetMesh mesh(shape.triangles, shape.vertices, 1);
+  std::vector<Index> buffer;
+  for (const Index k : {0u, 500u, 990u}) {
+    const auto near = mesh.star_near(n, 2 * k, buffer);  // facet 2k is over side k
+    ASSERT_EQ(near.size(), most_round + 1);
+    EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+    for (Index f : near) {
+      EXPECT_EQ(f % 2, 0u);
+      const Index apart = (f / 2 + n - k) % n;
+      EXPECT_LE(std::min(apart, n - apart), most_round / 2);
+    }
+    EXPECT_EQ(mesh.star_near(k, 2 * k, buffer).size(), 4u);
+    two_rings(mesh, k, buffer);
+    EXPECT_LE(buffer.size(), 2 * (most_round + 4));
+    EXPECT_TRUE(std::binary_search(buffer.begin(), buffer.end(), (k + 1) % n));
+    EXPECT_TRUE(std::binary_search(buffer.begin(), buffer.end(), n + 1));
+  }
+}
+
+TEST(FacetMesh, KeepsTheNearestPoints) {
+  const Mesh shape = bipyramid(100);
+  std::vector<Index> list(100);
+  for (Index k = 0; k < 100; ++k) list[k] = k;
+  const std::vector<Index> all = list;
+  keep_nearest(shape.vertices, 50, 100, list);
+  EXPECT_EQ(list, all);
+  keep_nearest(shape.vertices, 50, 5, list);
+  EXPECT_EQ(list, (std::vector<Index>{48, 49, 50, 51, 52}));
 }
 
 TEST(FacetMesh, NeedlesHaveNoNormal) {
