@@ -15,6 +15,7 @@ struct FacetMesh {
   std::vector<Triangle> facets;                  // indices of points, outward
   std::vector<std::array<Index, 3>> neighbours;  // [f][i]: across the side opposite corner i
   std::vector<Vec3> normal;                      // unit; zero where a facet has none to judge by
+  std::vector<Vec3> middle;                      // mean of the corners
   FacetStars stars;
 
   // Every side must be shared by exactly two facets, in opposite directions; throws

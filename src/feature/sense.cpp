@@ -68,8 +68,8 @@ class Senser {
         return std::find(p.facets.begin(), p.facets.end(), f) != p.facets.end();
       });
       if (covered) continue;
-      Patch p = grower_.grow(v, f, tolerance);
-      if (grower_.is_large(p)) found.push_back(std::move(p));
+      std::optional<Patch> p = grower_.grow(v, f, tolerance);
+      if (p) found.push_back(std::move(*p));
     }
     return found;
   }

@@ -83,8 +83,10 @@ void SmallPlanes::find(Index v, std::vector<LocalSurface>& out) {
   const double cosine = dot(best.normal, outward(v));
   if (std::abs(cosine) < least_cosine) return;
   LocalSurface plane = tangent_plane(points_[v], cosine > 0 ? best.normal : -best.normal);
-  const std::vector<double> weight(best.members.size(), 1);
-  fit({points_, best.members, weight, spacing_[v]}, Form::plane, plane);
+  PatchFit fit;
+  fit.start(plane, spacing_[v], 0);
+  for (Index w : best.members) fit.add(points_[w], 1);
+  fit.fit(Form::plane, plane);
   out.push_back(plane);
 }
 
