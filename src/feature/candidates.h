@@ -1,6 +1,8 @@
 // Candidates for feature points: where the surfaces on both sides of a crossing meet.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "base/job.h"
@@ -27,12 +29,14 @@ struct Candidate {
   double far;  // from the nearest (edge) or farthest (corner) point it was found from, over h
 };
 
-// On edges: for each crossing side the points of the curve across its middle and nearest to its
-// ends. O(facets).
-std::vector<Candidate> edge_candidates(const Crossing& crossing, Job& job);
+// On edges: for each of the crossing sides the points of the curve across its middle and nearest to
+// its ends. O(sides).
+std::vector<Candidate> edge_candidates(const Crossing& crossing,
+                                       std::span<const std::array<Index, 2>> sides, Job& job);
 
-// At corners: for each facet round which three distinct surfaces meet. Those that most facets find
-// come first. O(facets).
-std::vector<Candidate> corner_candidates(const Crossing& crossing, Job& job);
+// At corners: for each facet round which three distinct surfaces meet, which is near those sides or
+// near samples on a feature. Those that most facets find come first. O(facets).
+std::vector<Candidate> corner_candidates(const Crossing& crossing,
+                                         std::span<const std::array<Index, 2>> sides, Job& job);
 
 }  // namespace arris

@@ -75,7 +75,7 @@ int Council::support(const LocalSurface& s, Vec3 normal, double far, double cosi
 }
 
 void Council::settle(Index v, std::vector<LocalSurface>& out) {
-  two_rings(mesh_, v, near_);
+  two_rings(mesh_, v, seen_, near_);
   for (bool loosely : {false, true}) {
     propose(v, loosely ? loose : tight, loosely);
     std::stable_sort(proposals_.begin(), proposals_.end(),

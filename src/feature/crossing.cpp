@@ -40,4 +40,14 @@ Turn Crossing::turn(const Side& a, const Side& b) const {
   return Turn::none;
 }
 
+std::vector<std::array<Index, 2>> crossing_sides(const Crossing& crossing) {
+  std::vector<std::array<Index, 2>> sides;
+  for (const Triangle& t : crossing.mesh.facets)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index u = t[i], v = t[(i + 1) % 3];
+      if (u < v && crossing.crosses(u, v)) sides.push_back({u, v});
+    }
+  return sides;
+}
+
 }  // namespace arris

@@ -2,6 +2,7 @@
 // sensed surfaces.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,5 +32,8 @@ struct Crossing {
   bool crosses(Index u, Index v) const;
   Turn turn(const Side& a, const Side& b) const;
 };
+
+// The sides of the mesh whose ends cross, lower end first, each once. O(facets).
+std::vector<std::array<Index, 2>> crossing_sides(const Crossing& crossing);
 
 }  // namespace arris

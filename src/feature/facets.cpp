@@ -33,11 +33,6 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& points) {
   return area > sliver * longest ? (1 / area) * n : Vec3{};
 }
 
-// The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
-Index next_corner(const Triangle& t, Index v) {
-  return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
-}
-
 }  // namespace
 
 FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points,
@@ -67,17 +62,19 @@ void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
   keep_distinct(out);
 }
 
-void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
+void two_rings(const FacetMesh& mesh, Index v, SmallSet& seen, std::vector<Index>& out) {
   out.clear();
+  seen.clear();
+  seen.insert(v);
   for (Index f : mesh.star(v)) {
     const Index w = next_corner(mesh.facets[f], v);
-    out.push_back(w);
+    if (seen.insert(w)) out.push_back(w);
     for (Index g : mesh.star(w)) {
       const Index x = next_corner(mesh.facets[g], w);
-      if (x != v) out.push_back(x);
+      if (seen.insert(x)) out.push_back(x);
     }
   }
-  keep_distinct(out);
+  std::sort(out.begin(), out.end());
 }
 
 std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arris/types.h"
+#include "feature/small_set.h"
 #include "tetra/facet_stars.h"
 
 namespace arris {
@@ -28,10 +29,15 @@ struct FacetMesh {
 // The angle of a facet at its corner v, in radians.
 double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v);
 
+// The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
+inline Index next_corner(const Triangle& t, Index v) noexcept {
+  return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+}
+
 // The points that share a facet with v, ascending. O(degree).
 void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);
-// Those of the rings of the ring, too, without v. O(degree²).
-void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out);
+// Those of the rings of the ring, too, without v. `seen` is scratch. O(degree²).
+void two_rings(const FacetMesh& mesh, Index v, SmallSet& seen, std::vector<Index>& out);
 
 // Marks the points at sides where the surface bends by more than `angle` (radians). O(facets).
 std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points);

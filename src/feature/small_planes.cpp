@@ -35,7 +35,7 @@ double false_alarms(std::size_t others, std::size_t members, double far) {
 }  // namespace
 
 void SmallPlanes::gather(Index v) {
-  two_rings(mesh_, v, near_);
+  two_rings(mesh_, v, seen_, near_);
   const double far = reach * spacing_[v];
   std::erase_if(near_,
                 [&](Index w) { return !open_[w] || distance(points_[v], points_[w]) > far; });

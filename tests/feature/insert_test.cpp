@@ -241,7 +241,7 @@ TEST(Insert, SampledEdgesGetNone) {
 TEST(Corners, AreNotSoughtAmongSidesThatAllDisagree) {
   FirstSurface s(make_shape("cube"), 1000);
   OneStageJob job;
-  ASSERT_FALSE(corner_candidates({s.points, s.facets, s.spacing, s.sensed}, job).empty());
+  ASSERT_FALSE(corners_of(s).empty());
   Random random(3);
   s.sensed = {};
   for (const Vec3 p : s.points) {
@@ -250,7 +250,7 @@ TEST(Corners, AreNotSoughtAmongSidesThatAllDisagree) {
       s.sensed.surface.push_back(tangent_plane(p, random.direction()));
   }
   s.sensed.first.push_back(static_cast<Index>(s.sensed.surface.size()));
-  EXPECT_TRUE(corner_candidates({s.points, s.facets, s.spacing, s.sensed}, job).empty());
+  EXPECT_TRUE(corners_of(s).empty());
 }
 
 }  // namespace
