@@ -3,17 +3,18 @@
 #include <cmath>
 
 #include "base/vec.h"
-#include "energy/facet.h"
 
 namespace arris {
 
-double facet_cost(const TetMesh& mesh, const EnergyModel& model,
-                  const std::vector<double>& curvature, Tet t, int i) {
+double facet_cost(const FidelityCosts& fidelity, const std::vector<double>& curvature, Tet t,
+                  int i) {
+  const TetMesh& mesh = fidelity.mesh();
+  const EnergyModel& model = fidelity.model();
   const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
-  if (n < t) return facet_cost(mesh, model, curvature, n, mesh.facet_to(n, t));
+  if (n < t) return facet_cost(fidelity, curvature, n, mesh.facet_to(n, t));
   if (!mesh.is_finite(t)) return 0;
-  const double fidelity = fidelity_cost(mesh, model, t, i);
-  if (curvature.empty() || model.curvature == Curvature::area) return fidelity;
+  const double distance = fidelity(t, i);
+  if (curvature.empty() || model.curvature == Curvature::area) return distance;
   double h = 0, kappa = 0;
   for (int corner : facet_corners[static_cast<std::size_t>(i)]) {
     const Index v = mesh.vertices[t][static_cast<std::size_t>(corner)];
@@ -21,17 +22,18 @@ double facet_cost(const TetMesh& mesh, const EnergyModel& model,
     kappa += 1.0 / 3 * std::abs(curvature[v]);
   }
   const double area = 0.5 * length(facet_normal(mesh, t, i));
-  return fidelity + model.lambda * kappa * area / h;
+  return distance + model.lambda * kappa * area / h;
 }
 
-double surface_cost(const TetMesh& mesh, const EnergyModel& model,
-                    const std::vector<double>& curvature, const Labels& labels) {
+double surface_cost(const FidelityCosts& fidelity, const std::vector<double>& curvature,
+                    const Labels& labels) {
+  const TetMesh& mesh = fidelity.mesh();
   double sum = 0;
   for (Tet t = 0; t < mesh.finite; ++t) {
     if (!labels[t]) continue;
     for (int i = 0; i < 4; ++i)
       if (!labels[mesh.neighbours[t][static_cast<std::size_t>(i)]])
-        sum += facet_cost(mesh, model, curvature, t, i);
+        sum += facet_cost(fidelity, curvature, t, i);
   }
   return sum;
 }

@@ -19,13 +19,22 @@ Vec3 facet_normal(const TetMesh& mesh, Tet t, int i);
 // also λ S / h^2, which makes it all of E. Dimensionless.
 double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i);
 
-// fidelity_cost with a memory: each facet is computed once. 32 bytes a tetrahedron.
+// What is known of fidelity_cost on one mesh: [4 t + i], t < neighbour; negative if not yet known.
+// Empty: nothing. 32 bytes a tetrahedron.
+using KnownCosts = std::vector<double>;
+
+// fidelity_cost with a memory: each facet is computed once.
 class FidelityCosts {
  public:
-  // Holds on to both. Nothing is known at first.
-  FidelityCosts(const TetMesh& mesh, const EnergyModel& model);
+  // Holds on to all three. `known`: what others found, and will find, or none.
+  FidelityCosts(const TetMesh& mesh, const EnergyModel& model, KnownCosts* known = nullptr);
+  FidelityCosts(const FidelityCosts&) = delete;
+  FidelityCosts& operator=(const FidelityCosts&) = delete;
 
-  // Cost of facet i of t. Not for several threads at once, unless the facet is known.
+  const TetMesh& mesh() const noexcept { return mesh_; }
+  const EnergyModel& model() const noexcept { return model_; }
+
+  // Cost of facet i of t. Not the same facet for several threads at once, unless it is known.
   double operator()(Tet t, int i) const;
 
   // Makes the facets of all tetrahedra known for which wanted(t).
@@ -43,7 +52,8 @@ class FidelityCosts {
  private:
   const TetMesh& mesh_;
   const EnergyModel& model_;
-  mutable std::vector<double> cost_;  // [4 t + i], t < neighbour; negative if not yet known
+  KnownCosts own_;
+  KnownCosts& known_;
 };
 
 }  // namespace arris
