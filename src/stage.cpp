@@ -184,6 +184,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
     near.push_back(features[k].near);
     next.model.spacing.push_back(features[k].spacing);
   }
+  stage.costs = {};  // what comes now takes most memory
   Extension extension = add_points(stage.mesh, added, near, job);
   // At the samples as sensed, at the features as they were made.
   const SurfacesAt surfaces_at = [&](Index v) {

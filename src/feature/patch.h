@@ -56,11 +56,11 @@ class PatchGrower {
     bool is_near = false;  // it lies near enough to that fit
     bool is_member = false;
   };
-  Patch start(Index centre, Index seed);
-  bool accepts(const Patch& patch, Index facet, const Limits& limits);
-  bool is_near(const Patch& patch, Index v, double tangent);
-  bool add_facet(Patch& patch, Index facet);
-  bool is_large(const Patch& patch) const;
+  void start(Index centre, Index seed);
+  bool accepts(Index facet, const Limits& limits);
+  bool is_near(Index v, double tangent);
+  bool add_facet(Index facet);
+  bool is_large() const;
   void push(Index facet, double distance);
   Index pop();
 
@@ -68,6 +68,7 @@ class PatchGrower {
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
   double roughness_;
+  Patch patch_;                                     // that grows
   std::vector<std::pair<double, Index>> frontier_;  // a heap, nearest first
   SmallSet seen_;                                   // facets
   SmallMap<Reached> reached_;

@@ -49,7 +49,7 @@ class Descent {
     return boundary_.mesh().is_finite(t) && (options_.frozen.empty() || options_.frozen[t] == 0);
   }
   bool is_due(Tet t) const noexcept { return options_.settled.empty() || options_.settled[t] == 0; }
-  Outlook outlook(Tet t) const;
+  Outlook outlook(Tet t) const;  // of one whose flip is simple
   // The sample that a simple flip of t takes off the surface, if those must stay; or no_index.
   Index lost_sample(Tet t) const noexcept;
   void extend(Tet t, const Change& change);

@@ -236,11 +236,16 @@ TEST(Insert, SampledEdgesGetNone) {
   EXPECT_TRUE(features_of(FirstSurface(r->mesh, 1)).empty());
 }
 
+std::vector<Candidate> corners_of(const FirstSurface& s) {
+  OneStageJob job;
+  const Crossing crossing{s.points, s.facets, s.spacing, s.sensed};
+  return corner_candidates(crossing, crossing_sides(crossing), job);
+}
+
 // Noise can give every sample sides of its own, in all directions; every three of those near a
 // facet meet somewhere.
 TEST(Corners, AreNotSoughtAmongSidesThatAllDisagree) {
   FirstSurface s(make_shape("cube"), 1000);
-  OneStageJob job;
   ASSERT_FALSE(corners_of(s).empty());
   Random random(3);
   s.sensed = {};

@@ -19,6 +19,7 @@ TEST(FacetMesh, KnowsWhatIsRoundAPointAndAcrossASide) {
   const Shape shape = octahedron();
   const FacetMesh mesh(shape.mesh.triangles, shape.mesh.vertices, 1);
   std::vector<Index> near;
+  SmallSet seen;
   for (Index v = 0; v < 6; ++v) {
     EXPECT_EQ(mesh.star(v).size(), 4u);
     for (Index f : mesh.star(v))
@@ -26,7 +27,7 @@ TEST(FacetMesh, KnowsWhatIsRoundAPointAndAcrossASide) {
     ring(mesh, v, near);
     EXPECT_EQ(near.size(), 4u);
     EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
-    two_rings(mesh, v, near);
+    two_rings(mesh, v, seen, near);
     EXPECT_EQ(near.size(), 5u);  // the opposite one, too
   }
   for (Index f = 0; f < 8; ++f)
