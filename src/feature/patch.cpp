@@ -48,8 +48,8 @@ bool PatchGrower::accepts(Index f, const Limits& limits) {
   const Vec3 n = mesh_.normal[f];
   if (n == Vec3{}) return true;
   const bool quadric = patch_.members.size() >= quadric_members;
-  return dot(n, patch_.surface.normal(mesh_.middle[f])) >=
-         (quadric ? limits.quadric_cosine : limits.plane_cosine);
+  return patch_.surface.has_direction(mesh_.middle[f], n,
+                                      quadric ? limits.quadric_cosine : limits.plane_cosine);
 }
 
 // Whether the point lies near enough to the centre and to the fit so far. Every facet round the
@@ -63,8 +63,8 @@ bool PatchGrower::is_near(Index v, double tangent) {
   const double h = spacing_[patch_.members[0]];
   const bool quadric = patch_.members.size() >= quadric_members;
   const double lever = quadric ? h / 4 : std::max(h, point.far) / 2;
-  point.is_near = point.far <= reach * h &&
-                  std::abs(patch_.surface.distance(p)) <= tangent * lever + 2 * roughness_;
+  point.is_near =
+      point.far <= reach * h && patch_.surface.is_within(p, tangent * lever + 2 * roughness_);
   return point.is_near;
 }
 

@@ -43,8 +43,7 @@ class Senser {
         return a.members.size() > b.members.size();
       });
       for (const Patch& p : found)
-        if (std::abs(p.surface.distance(points_[v])) <=
-            on_surface_distance(spacing_[v], roughness_))
+        if (p.surface.is_within(points_[v], on_surface_distance(spacing_[v], roughness_)))
           add_distinct(p.surface, points_[v], out);
       if (!out.empty()) return;
     }
