@@ -120,17 +120,17 @@ bool follows(const FacetMesh& facets, Index v, const FeaturePoint& point) {
 // Returns how many tetrahedra were flipped.
 std::uint64_t make_manifold(const Stage& stage, const std::vector<double>& curvature,
                             Labels& labels, Job& job) {
-  const FidelityCosts fidelity(stage.mesh, stage.model, &stage.costs);
   return make_manifold(
-      stage.mesh, stage.stars, [&](Tet t, int i) { return facet_cost(fidelity, curvature, t, i); },
-      labels, job);
+      stage.mesh, stage.stars,
+      [&](Tet t, int i) { return facet_cost(stage.mesh, stage.model, curvature, t, i); }, labels,
+      job);
 }
 
 }  // namespace
 
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job) {
-  SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job, &stage.costs);
+  SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
   report.manifold_flips += make_manifold(stage, curvature, cut.labels, job);
   report.specks = remove_specks(stage.mesh, stage.model.spacing, cut.labels);
   return cut;
@@ -154,7 +154,6 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
   SwapOptions options;
   options.keep_samples = report.options.keep_samples;
   options.settled = stage.settled;
-  options.known = &stage.costs;
   options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
   SwapResult swaps = swap_tetrahedra(stage.mesh, stage.model, options, labels, job);
   report.swap_energy = std::move(swaps.energy);
@@ -184,7 +183,6 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
     near.push_back(features[k].near);
     next.model.spacing.push_back(features[k].spacing);
   }
-  stage.costs = {};  // what comes now takes most memory
   Extension extension = add_points(stage.mesh, added, near, job);
   // At the samples as sensed, at the features as they were made.
   const SurfacesAt surfaces_at = [&](Index v) {

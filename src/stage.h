@@ -9,7 +9,6 @@
 #include "base/job.h"
 #include "cloud/prepare.h"
 #include "cut/surface_cut.h"
-#include "energy/facet.h"
 #include "energy/model.h"
 #include "feature/candidates.h"
 #include "seed/seeds.h"
@@ -26,8 +25,7 @@ struct Stage {
   // Per tetrahedron: 1 where it lies far from every feature point and was swapped already; or
   // empty.
   std::vector<std::uint8_t> settled;
-  double roughness = 0;      // by which samples lie off the surface, as a length
-  mutable KnownCosts costs;  // a memory: the cut and the swaps ask for many of the same
+  double roughness = 0;  // by which samples lie off the surface, as a length
 };
 
 // Cut, and the manifold next to it, without specks.

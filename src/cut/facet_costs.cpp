@@ -3,18 +3,17 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "energy/facet.h"
 
 namespace arris {
 
-double facet_cost(const FidelityCosts& fidelity, const std::vector<double>& curvature, Tet t,
-                  int i) {
-  const TetMesh& mesh = fidelity.mesh();
-  const EnergyModel& model = fidelity.model();
+double facet_cost(const TetMesh& mesh, const EnergyModel& model,
+                  const std::vector<double>& curvature, Tet t, int i) {
   const Tet n = mesh.neighbours[t][static_cast<std::size_t>(i)];
-  if (n < t) return facet_cost(fidelity, curvature, n, mesh.facet_to(n, t));
+  if (n < t) return facet_cost(mesh, model, curvature, n, mesh.facet_to(n, t));
   if (!mesh.is_finite(t)) return 0;
-  const double distance = fidelity(t, i);
-  if (curvature.empty() || model.curvature == Curvature::area) return distance;
+  const double fidelity = fidelity_cost(mesh, model, t, i);
+  if (curvature.empty() || model.curvature == Curvature::area) return fidelity;
   double h = 0, kappa = 0;
   for (int corner : facet_corners[static_cast<std::size_t>(i)]) {
     const Index v = mesh.vertices[t][static_cast<std::size_t>(corner)];
@@ -22,18 +21,17 @@ double facet_cost(const FidelityCosts& fidelity, const std::vector<double>& curv
     kappa += 1.0 / 3 * std::abs(curvature[v]);
   }
   const double area = 0.5 * length(facet_normal(mesh, t, i));
-  return distance + model.lambda * kappa * area / h;
+  return fidelity + model.lambda * kappa * area / h;
 }
 
-double surface_cost(const FidelityCosts& fidelity, const std::vector<double>& curvature,
-                    const Labels& labels) {
-  const TetMesh& mesh = fidelity.mesh();
+double surface_cost(const TetMesh& mesh, const EnergyModel& model,
+                    const std::vector<double>& curvature, const Labels& labels) {
   double sum = 0;
   for (Tet t = 0; t < mesh.finite; ++t) {
     if (!labels[t]) continue;
     for (int i = 0; i < 4; ++i)
       if (!labels[mesh.neighbours[t][static_cast<std::size_t>(i)]])
-        sum += facet_cost(fidelity, curvature, t, i);
+        sum += facet_cost(mesh, model, curvature, t, i);
   }
   return sum;
 }

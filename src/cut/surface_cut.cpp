@@ -35,9 +35,8 @@ bool is_soft(const Seeds& seeds, Tet t) {
   return seeds.label[t] == seed_free || !seeds.firm[t];
 }
 
-CutProblem make_problem(const FidelityCosts& fidelity, const Seeds& seeds,
+CutProblem make_problem(const TetMesh& mesh, const EnergyModel& model, const Seeds& seeds,
                         const std::vector<double>& curvature, unsigned threads) {
-  const TetMesh& mesh = fidelity.mesh();
   CutProblem problem;
   problem.seed.assign(mesh.size(), seed_outside);
   parallel_for(mesh.finite, threads, [&](std::size_t t) {
@@ -50,7 +49,7 @@ CutProblem make_problem(const FidelityCosts& fidelity, const Seeds& seeds,
     for (int f = 0; f < 4; ++f) {  // each facet from its lower side, for both
       const Tet n = mesh.neighbours[t][static_cast<std::size_t>(f)];
       if (n < t || (problem.seed[t] != seed_free && problem.seed[n] != seed_free)) continue;
-      const std::int32_t both = capacity(facet_cost(fidelity, curvature, t, f));
+      const std::int32_t both = capacity(facet_cost(mesh, model, curvature, t, f));
       problem.capacity[t][static_cast<std::size_t>(f)] = both;
       problem.capacity[n][static_cast<std::size_t>(mesh.facet_to(n, t))] = both;
     }
@@ -71,10 +70,9 @@ CutProblem make_problem(const FidelityCosts& fidelity, const Seeds& seeds,
 }  // namespace
 
 SurfaceCut cut_surface(const TetMesh& mesh, const EnergyModel& model, const Seeds& seeds,
-                       const std::vector<double>& curvature, Job& job, KnownCosts* known) {
+                       const std::vector<double>& curvature, Job& job) {
   SurfaceCut cut;
-  const FidelityCosts fidelity(mesh, model, known);
-  const CutProblem problem = make_problem(fidelity, seeds, curvature, job.threads());
+  const CutProblem problem = make_problem(mesh, model, seeds, curvature, job.threads());
   job.tick(0.3);
   ContractedCut contracted = contract(mesh, problem, job);
   cut.free = contracted.tetrahedron.size();
@@ -83,7 +81,7 @@ SurfaceCut cut_surface(const TetMesh& mesh, const EnergyModel& model, const Seed
   if (minimum.flow + contracted.constant != labelling_cost(mesh, problem, cut.labels))
     throw Failure(ErrorCode::internal, "the flow and the capacity of the cut differ",
                   "please report it with the input");
-  cut.energy = surface_cost(fidelity, curvature, cut.labels);
+  cut.energy = surface_cost(mesh, model, curvature, cut.labels);
   return cut;
 }
 

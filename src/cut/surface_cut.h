@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/job.h"
-#include "energy/facet.h"
 #include "energy/model.h"
 #include "seed/seeds.h"
 #include "tetra/tet_mesh.h"
@@ -19,9 +18,8 @@ struct SurfaceCut {
 
 // One minimum cut of the dual graph. Firm seeds keep their label; the others prefer theirs (see
 // seed_trust); unseeded tetrahedra are free. `curvature` is κ^n per point, or empty for κ^0 = 0.
-// `known`: costs that were found before; those that are found now are added. Throws Failure:
-// cancelled, internal if flow and cut capacity disagree.
+// Throws Failure: cancelled, internal if flow and cut capacity disagree.
 SurfaceCut cut_surface(const TetMesh& mesh, const EnergyModel& model, const Seeds& seeds,
-                       const std::vector<double>& curvature, Job& job, KnownCosts* known = nullptr);
+                       const std::vector<double>& curvature, Job& job);
 
 }  // namespace arris

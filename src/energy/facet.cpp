@@ -60,15 +60,13 @@ double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i
   return (distance + lean_weight * lean(mesh, model, t, i) + constant) * f.area / (h * h);
 }
 
-FidelityCosts::FidelityCosts(const TetMesh& mesh, const EnergyModel& model, KnownCosts* known)
-    : mesh_(mesh), model_(model), known_(known ? *known : own_) {
-  known_.resize(4 * mesh.finite, -1);
-}
+FidelityCosts::FidelityCosts(const TetMesh& mesh, const EnergyModel& model)
+    : mesh_(mesh), model_(model), cost_(4 * mesh.finite, -1) {}
 
 double FidelityCosts::operator()(Tet t, int i) const {
   const Tet n = mesh_.neighbours[t][static_cast<std::size_t>(i)];
   if (n < t) return (*this)(n, mesh_.facet_to(n, t));
-  double& cost = known_[4 * static_cast<std::size_t>(t) + static_cast<std::size_t>(i)];
+  double& cost = cost_[4 * static_cast<std::size_t>(t) + static_cast<std::size_t>(i)];
   if (cost < 0) cost = fidelity_cost(mesh_, model_, t, i);
   return cost;
 }

@@ -19,17 +19,11 @@ Vec3 facet_normal(const TetMesh& mesh, Tet t, int i);
 // also λ S / h^2, which makes it all of E. Dimensionless.
 double fidelity_cost(const TetMesh& mesh, const EnergyModel& model, Tet t, int i);
 
-// What is known of fidelity_cost on one mesh: [4 t + i], t < neighbour; negative if not yet known.
-// Empty: nothing. 32 bytes a tetrahedron.
-using KnownCosts = std::vector<double>;
-
-// fidelity_cost with a memory: each facet is computed once.
+// fidelity_cost with a memory: each facet is computed once. 32 bytes a tetrahedron.
 class FidelityCosts {
  public:
-  // Holds on to all three. `known`: what others found, and will find, or none.
-  FidelityCosts(const TetMesh& mesh, const EnergyModel& model, KnownCosts* known = nullptr);
-  FidelityCosts(const FidelityCosts&) = delete;
-  FidelityCosts& operator=(const FidelityCosts&) = delete;
+  // Holds on to both. Nothing is known at first.
+  FidelityCosts(const TetMesh& mesh, const EnergyModel& model);
 
   const TetMesh& mesh() const noexcept { return mesh_; }
   const EnergyModel& model() const noexcept { return model_; }
@@ -52,8 +46,7 @@ class FidelityCosts {
  private:
   const TetMesh& mesh_;
   const EnergyModel& model_;
-  KnownCosts own_;
-  KnownCosts& known_;
+  mutable std::vector<double> cost_;  // [4 t + i], t < neighbour; negative if not yet known
 };
 
 }  // namespace arris

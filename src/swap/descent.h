@@ -18,10 +18,7 @@ class Descent {
  public:
   // Holds on to all of them.
   Descent(const TetMesh& mesh, const EnergyModel& model, const SwapOptions& options, Labels& labels)
-      : boundary_(mesh, labels),
-        fidelity_(mesh, model, options.known),
-        model_(model),
-        options_(options) {}
+      : boundary_(mesh, labels), fidelity_(mesh, model), model_(model), options_(options) {}
 
   const Boundary& boundary() const noexcept { return boundary_; }
   const FidelityCosts& fidelity() const noexcept { return fidelity_; }

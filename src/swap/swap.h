@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/job.h"
-#include "energy/facet.h"
 #include "energy/model.h"
 #include "tetra/tet_mesh.h"
 
@@ -20,8 +19,6 @@ struct SwapOptions {
   // Tetrahedra (1) for which moves were sought before: they wait until one is made beside them. Or
   // empty.
   std::vector<std::uint8_t> settled;
-  // Costs that were found before, to which those that are found now are added; or none.
-  KnownCosts* known = nullptr;
 };
 
 struct SwapResult {

@@ -40,7 +40,7 @@ TEST(SurfaceCut, EnergyIsThatOfItsSurfaceAndFirmSeedsKeepTheirLabel) {
     for (const auto& curvature : {std::vector<double>{}, some_curvature(1000, random)}) {
       if (!curvature.empty() && m.mesh.points.size() > curvature.size()) continue;
       const SurfaceCut c = cut(m.mesh, model, seeds, curvature);
-      EXPECT_EQ(c.energy, surface_cost(FidelityCosts(m.mesh, model), curvature, c.labels));
+      EXPECT_EQ(c.energy, surface_cost(m.mesh, model, curvature, c.labels));
       EXPECT_GT(c.energy, 0);
       std::uint64_t free = 0;
       for (Tet t = 0; t < m.mesh.finite; ++t) {
@@ -75,11 +75,10 @@ double least_cost(const TetMesh& mesh, const EnergyModel& model,
                   const std::vector<double>& curvature, Labels labels,
                   const std::vector<Tet>& free) {
   double best = std::numeric_limits<double>::infinity();
-  const FidelityCosts fidelity(mesh, model);
   for (std::uint32_t pattern = 0; pattern < 1u << free.size(); ++pattern) {
     for (std::size_t k = 0; k < free.size(); ++k)
       labels[free[k]] = static_cast<std::uint8_t>(pattern >> k & 1u);
-    best = std::min(best, surface_cost(fidelity, curvature, labels));
+    best = std::min(best, surface_cost(mesh, model, curvature, labels));
   }
   return best;
 }
@@ -114,15 +113,14 @@ TEST(FacetCost, AreaWeighsAreaAndNoCurvature) {
   Random random(2);
   const std::vector<double> curvature = some_curvature(m.mesh.points.size(), random);
   const EnergyModel area{0.1, Curvature::area, m.spacing}, none{0, Curvature::area, m.spacing};
-  const FidelityCosts of_area(m.mesh, area), of_none(m.mesh, none);
   for (Tet t = 0; t < m.mesh.finite; ++t)
     for (int i = 0; i < 4; ++i) {
       double h = 0;
       for (int corner : facet_corners[static_cast<std::size_t>(i)])
         h += m.spacing[m.mesh.vertices[t][static_cast<std::size_t>(corner)]] / 3;
       const double s = 0.5 * length(facet_normal(m.mesh, t, i));
-      const double cost = facet_cost(of_area, curvature, t, i);
-      EXPECT_NEAR(cost - facet_cost(of_none, {}, t, i), 0.1 * s / (h * h), 1e-9 * cost);
+      const double cost = facet_cost(m.mesh, area, curvature, t, i);
+      EXPECT_NEAR(cost - facet_cost(m.mesh, none, {}, t, i), 0.1 * s / (h * h), 1e-9 * cost);
     }
 }
 
@@ -131,14 +129,11 @@ TEST(FacetCost, IsTheSameFromBothSides) {
   const EnergyModel model{0.1, Curvature::polyhedral, m.spacing};
   Random random(2);
   const std::vector<double> curvature = some_curvature(m.mesh.points.size(), random);
-  KnownCosts here, there;  // so that neither side is read from the memory of the other
   for (Tet t = 0; t < m.mesh.size(); ++t)
     for (std::size_t i = 0; i < 4; ++i) {
       const Tet n = m.mesh.neighbours[t][i];
-      const double cost =
-          facet_cost(FidelityCosts(m.mesh, model, &here), curvature, t, static_cast<int>(i));
-      EXPECT_EQ(cost, facet_cost(FidelityCosts(m.mesh, model, &there), curvature, n,
-                                 m.mesh.facet_to(n, t)));
+      const double cost = facet_cost(m.mesh, model, curvature, t, static_cast<int>(i));
+      EXPECT_EQ(cost, facet_cost(m.mesh, model, curvature, n, m.mesh.facet_to(n, t)));
       if (m.mesh.is_finite(t)) {
         EXPECT_GT(cost, 0);
       }

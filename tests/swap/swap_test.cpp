@@ -211,21 +211,6 @@ TEST(Swap, DoesNotDependOnThreads) {
   EXPECT_EQ(one, two);
 }
 
-// Whether none of them is or all are.
-TEST(Swap, CostsKnownBeforeChangeNothing) {
-  const Scene scene = make_scene(test::two_cubes(0.1), Curvature::polyhedral, 4);
-  Labels alone = scene.labels, first = scene.labels, second = scene.labels;
-  const SwapResult result = run(scene, alone);
-  KnownCosts known;
-  SwapOptions options;
-  options.known = &known;
-  EXPECT_EQ(run(scene, first, options).energy, result.energy);
-  EXPECT_EQ(first, alone);
-  EXPECT_EQ(known.size(), 4 * scene.mesh.finite);
-  EXPECT_EQ(run(scene, second, options).energy, result.energy);
-  EXPECT_EQ(second, alone);
-}
-
 TEST(Swap, CanBeCancelled) {
   const Scene scene = make_scene(test::cube(0.2), Curvature::polyhedral, 4);
   Labels labels = scene.labels;
