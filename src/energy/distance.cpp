@@ -82,26 +82,38 @@ double nearest_squared(Vec3 p, const Vec3* samples, std::size_t count) {
   return nearest;
 }
 
-// Mean over the triangle of the distance to the nearest sample, at the centroids of its subdivision
-// into `parts` squared similar triangles. Coordinate by coordinate, for vector instructions.
+// Centroids of the subdivision of a triangle into `parts` squared similar ones, in units of two of
+// its sides over `parts`.
+constexpr int parts = 8;  // error below 2 %, mostly far below
+constexpr std::size_t places = parts * parts;
+using Places = std::array<double, places>;
+struct Centroids {
+  Places i{}, j{};
+};
+constexpr Centroids subdivide() {
+  Centroids c;
+  std::size_t size = 0;
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; i + j < parts; ++j)
+      for (int k = 1; k <= 2 && i + j + k <= parts; ++k) {
+        c.i[size] = i + k / 3.0;
+        c.j[size++] = j + k / 3.0;
+      }
+  return c;
+}
+constexpr Centroids centroids = subdivide();
+
+// Mean over the triangle of the distance to the nearest sample, at those centroids. Coordinate by
+// coordinate, for vector instructions.
 double sampled_mean(const Corners& x, const Vec3* samples, std::size_t count) {
-  constexpr int parts = 8;  // error below 2 %, mostly far below
-  constexpr std::size_t places = parts * parts;
-  using Places = std::array<double, places>;
   const Vec3 u = 1.0 / parts * (x[1] - x[0]), v = 1.0 / parts * (x[2] - x[0]);
   Places px, py, pz, nearest;
-  std::size_t size = 0;
-  const auto add = [&](double i, double j) {
-    const Vec3 p = x[0] + i * u + j * v;
-    px[size] = p.x;
-    py[size] = p.y;
-    pz[size++] = p.z;
-  };
-  for (int i = 0; i < parts; ++i)
-    for (int j = 0; i + j < parts; ++j) {
-      add(i + 1.0 / 3, j + 1.0 / 3);
-      if (i + j + 1 < parts) add(i + 2.0 / 3, j + 2.0 / 3);
-    }
+  for (std::size_t k = 0; k < places; ++k) {
+    const double i = centroids.i[k], j = centroids.j[k];
+    px[k] = x[0].x + i * u.x + j * v.x;
+    py[k] = x[0].y + i * u.y + j * v.y;
+    pz[k] = x[0].z + i * u.z + j * v.z;
+  }
   nearest.fill(std::numeric_limits<double>::infinity());
   for (std::size_t s = 0; s < count; ++s) {
     const Vec3 q = samples[s];

@@ -25,7 +25,10 @@ class FidelityCosts {
   // Holds on to both. Nothing is known at first.
   FidelityCosts(const TetMesh& mesh, const EnergyModel& model);
 
-  // Cost of facet i of t. Not for several threads at once, unless the facet is known.
+  const TetMesh& mesh() const noexcept { return mesh_; }
+  const EnergyModel& model() const noexcept { return model_; }
+
+  // Cost of facet i of t. Not the same facet for several threads at once, unless it is known.
   double operator()(Tet t, int i) const;
 
   // Makes the facets of all tetrahedra known for which wanted(t).

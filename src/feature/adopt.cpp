@@ -7,6 +7,7 @@
 
 #include "cloud/nearest.h"
 #include "feature/council.h"
+#include "feature/small_set.h"
 
 namespace arris {
 namespace {
@@ -43,7 +44,7 @@ class Neighbourhood {
 
   const std::vector<Index>& operator()(Index v) {
     if (!mesh_.star(v).empty()) {
-      two_rings(mesh_, v, near_);
+      two_rings(mesh_, v, seen_, near_);
       return near_;
     }
     if (!nearest_) nearest_.emplace(points_);
@@ -58,6 +59,7 @@ class Neighbourhood {
   const FacetMesh& mesh_;
   std::optional<NearestSample> nearest_;  // rarely needed
   std::vector<NearestSample::Hit> hits_;
+  SmallSet seen_;
   std::vector<Index> near_;
 };
 

@@ -49,18 +49,21 @@ void for_sides(const Crossing& c, Index v, Index facet, Body&& body) {
 // x lies past a third surface near u or v that cuts the edge of a and b off before.
 bool is_cut_off(const Crossing& c, const Side& a, const Side& b, Vec3 x) {
   const double far = overrun * c.spacing[a.point];
-  bool cut = false;
+  const auto cuts = [&](const Side& s) {
+    if (c.agree(a, s) || c.agree(b, s)) return false;
+    const Turn turn = c.turn(a, s);
+    if (turn == Turn::none || turn != c.turn(b, s)) return false;
+    return static_cast<int>(turn) * s.surface->distance(x) > far;
+  };
   std::vector<Index> buffer;
   for (const Side& end : {a, b})
-    for (Index f : c.mesh.star_near(end.point, end.facet, buffer))
-      for (Index w : c.mesh.facets[f])
-        for_sides(c, w, f, [&](const Side& s) {
-          if (cut || w == a.point || w == b.point || c.agree(a, s) || c.agree(b, s)) return;
-          const Turn turn = c.turn(a, s);
-          if (turn == Turn::none || turn != c.turn(b, s)) return;
-          cut = static_cast<int>(turn) * s.surface->distance(x) > far;
-        });
-  return cut;
+    for (Index f : c.mesh.star_near(end.point, end.facet, buffer)) {
+      const Index w = next_corner(c.mesh.facets[f], end.point);
+      if (w == a.point || w == b.point) continue;
+      for (const LocalSurface& s : c.sensed.at(w))
+        if (cuts({w, &s, f})) return true;
+    }
+  return false;
 }
 
 bool is_sharp(const LocalSurface& a, const LocalSurface& b, Vec3 x) {
@@ -110,61 +113,58 @@ struct Seen {
 
 // A surface and the points near a facet that lie on it.
 struct Face {
-  Side side;
+  Side side{};
   std::vector<Seen> points;
 };
 
-// The points round a facet, those of its neighbours first, then one ring more. Keeps its scratch.
-class Surroundings {
+// Collects the faces round one facet after another, and keeps its memory from each to the next.
+class FaceFinder {
  public:
-  explicit Surroundings(const FacetMesh& mesh) : mesh_(mesh) {}
+  explicit FaceFinder(const Crossing& crossing) : c_(crossing) {}
 
-  void look_round(Index f) {
-    seen_.clear();
+  // The distinct surfaces at the corners of a facet and of its neighbours, and the planes one ring
+  // farther: quadrics do not hold there. Good until the next call.
+  std::span<const Face> faces_round(Index f) {
     near_.clear();
+    seen_.clear();
+    count_ = 0;
     add_corners(f);
-    for (Index g : mesh_.neighbours[f]) add_corners(g);
-    inner_ = near_.size();
-    for (std::size_t k = 0; k < inner_; ++k) {
+    for (Index g : c_.mesh.neighbours[f]) add_corners(g);
+    const std::size_t inner = near_.size();
+    for (std::size_t k = 0; k < inner; ++k) {
       const Seen from = near_[k];
-      for (Index g : mesh_.star_near(from.point, from.facet, buffer_)) add_corners(g);
+      for (Index g : c_.mesh.star_near(from.point, from.facet, buffer_)) add_corners(g);
     }
+    for (std::size_t k = 0; k < near_.size(); ++k)
+      for_sides(c_, near_[k].point, near_[k].facet, [&](const Side& s) {
+        if (k < inner || s.surface->is_plane()) add(s);
+      });
+    return {faces_.data(), count_};
   }
-  const std::vector<Seen>& near() const noexcept { return near_; }
-  bool is_inner(std::size_t k) const noexcept { return k < inner_; }
 
  private:
   void add_corners(Index f) {
-    for (Index v : mesh_.facets[f])
+    for (Index v : c_.mesh.facets[f])
       if (seen_.insert(v)) near_.push_back({v, f});
   }
 
-  const FacetMesh& mesh_;
-  SmallSet seen_;
-  std::vector<Seen> near_;
-  std::vector<Index> buffer_;
-  std::size_t inner_ = 0;
-};
-
-// The distinct surfaces at the corners of a facet and of its neighbours, and the planes one ring
-// farther: quadrics do not hold there.
-std::vector<Face> faces_round(const Crossing& c, Surroundings& round, Index f) {
-  round.look_round(f);
-  std::vector<Face> faces;
-  for (std::size_t k = 0; k < round.near().size(); ++k) {
-    const Seen& near = round.near()[k];
-    for_sides(c, near.point, near.facet, [&](const Side& s) {
-      if (!round.is_inner(k) && !s.surface->is_plane()) return;
-      const auto same = std::find_if(faces.begin(), faces.end(),
-                                     [&](const Face& face) { return c.agree(face.side, s); });
-      if (same == faces.end())
-        faces.push_back({s, {near}});
-      else
-        same->points.push_back(near);
-    });
+  void add(const Side& s) {
+    const auto end = faces_.begin() + static_cast<std::ptrdiff_t>(count_);
+    const auto same =
+        std::find_if(faces_.begin(), end, [&](const Face& face) { return c_.agree(face.side, s); });
+    if (same != end) return same->points.push_back({s.point, s.facet});
+    if (count_ == faces_.size()) faces_.emplace_back();
+    faces_[count_].side = s;
+    faces_[count_++].points.assign(1, {s.point, s.facet});
   }
-  return faces;
-}
+
+  const Crossing& c_;
+  std::vector<Seen> near_;
+  SmallSet seen_;
+  std::vector<Index> buffer_;
+  std::vector<Face> faces_;  // the first count_ are in use
+  std::size_t count_ = 0;
+};
 
 // Somewhere they bound an edge. Not everywhere: where a face goes round a corner by more than half
 // a turn, its points are on both sides of the others.
@@ -233,14 +233,10 @@ void try_corner(const Crossing& c, const std::array<const Face*, 3>& faces, cons
 
 // Points so near to a crossing side, or to a sample on a feature, that faces_round may find several
 // surfaces: nowhere else can three meet.
-std::vector<std::uint8_t> near_features(const Crossing& c) {
+std::vector<std::uint8_t> near_features(const Crossing& c, std::span<const CrossingSide> crossing) {
   std::vector<std::uint8_t> marked(c.points.size(), 0);
-  for (const Triangle& t : c.mesh.facets)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index u = t[i], v = t[(i + 1) % 3];
-      if (c.sensed.at(u).size() > 1) marked[u] = 1;
-      if (u < v && c.crosses(u, v)) marked[u] = marked[v] = 1;
-    }
+  for (Index v = 0; v < marked.size(); ++v) marked[v] = c.sensed.at(v).size() > 1;
+  for (const auto& [u, v, f] : crossing) marked[u] = marked[v] = 1;
   spread(c.mesh, 2, marked);
   return marked;
 }
@@ -281,33 +277,31 @@ std::array<double, 2> radii(const std::vector<Candidate>& candidates, double sha
   return {smallest, largest};
 }
 
-std::vector<Candidate> edge_candidates(const Crossing& c, Job& job) {
+std::vector<Candidate> edge_candidates(const Crossing& c, std::span<const CrossingSide> crossing,
+                                       Job& job) {
   std::vector<Candidate> found;
-  for (Index f = 0; f < c.mesh.facets.size(); ++f) {
-    if (f % 4096 == 0) job.tick(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index u = c.mesh.facets[f][i], v = c.mesh.facets[f][(i + 1) % 3];
-      if (u > v || !c.crosses(u, v)) continue;
-      for_sides(c, u, f, [&](const Side& a) {
-        for_sides(c, v, f, [&](const Side& b) { try_edge(c, a, b, found); });
-      });
-    }
+  for (std::size_t k = 0; k < crossing.size(); ++k) {
+    if (k % 65536 == 0) job.tick(0);
+    const auto [u, v, f] = crossing[k];
+    for (const LocalSurface& a : c.sensed.at(u))
+      for (const LocalSurface& b : c.sensed.at(v)) try_edge(c, {u, &a, f}, {v, &b, f}, found);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.far < b.far; });
   return found;
 }
 
-std::vector<Candidate> corner_candidates(const Crossing& c, Job& job) {
+std::vector<Candidate> corner_candidates(const Crossing& c, std::span<const CrossingSide> crossing,
+                                         Job& job) {
   std::vector<Candidate> found;
-  const std::vector<std::uint8_t> near = near_features(c);
-  Surroundings round(c.mesh);
+  const std::vector<std::uint8_t> near = near_features(c, crossing);
+  FaceFinder finder(c);
   for (Index f = 0; f < c.mesh.facets.size(); ++f) {
     if (f % 4096 == 0) job.tick(0);
     const Triangle& t = c.mesh.facets[f];
     if (!near[t[0]] && !near[t[1]] && !near[t[2]]) continue;
     if (c.sensed.at(t[0]).empty() && c.sensed.at(t[1]).empty()) continue;
-    const std::vector<Face> faces = faces_round(c, round, f);
+    const std::span<const Face> faces = finder.faces_round(f);
     if (faces.size() > most_sides) continue;
     const Place place = place_at(c, t);
     for (std::size_t i = 0; i < faces.size(); ++i)

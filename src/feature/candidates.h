@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "base/job.h"
@@ -31,12 +32,14 @@ struct Candidate {
 // The smallest and the largest of `share` of the spacings; infinity and 0 if there are none.
 std::array<double, 2> radii(const std::vector<Candidate>& candidates, double share);
 
-// On edges: for each crossing side the points of the curve across its middle and nearest to its
-// ends. O(facets).
-std::vector<Candidate> edge_candidates(const Crossing& crossing, Job& job);
+// On edges: for each of the crossing sides the points of the curve across its middle and nearest to
+// its ends. O(sides).
+std::vector<Candidate> edge_candidates(const Crossing& crossing,
+                                       std::span<const CrossingSide> sides, Job& job);
 
-// At corners: for each facet round which three distinct surfaces meet. Those that most facets find
-// come first. O(facets).
-std::vector<Candidate> corner_candidates(const Crossing& crossing, Job& job);
+// At corners: for each facet round which three distinct surfaces meet, which is near those sides or
+// near samples on a feature. Those that most facets find come first. O(facets).
+std::vector<Candidate> corner_candidates(const Crossing& crossing,
+                                         std::span<const CrossingSide> sides, Job& job);
 
 }  // namespace arris

@@ -16,7 +16,7 @@ constexpr std::size_t most_near = 4 * most_round;
 
 bool is_same_side(const LocalSurface& s, Vec3 normal, Vec3 p) {
   static const double crease = std::cos(radians(least_crease_degrees));
-  return dot(s.normal(p), normal) >= crease;
+  return s.has_direction(p, normal, crease);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ void Council::listen(Index v, double far) {
   voices_.clear();
   for (Index w : near_)
     for (const LocalSurface& s : found_[w])
-      if (std::abs(s.distance(points_[v])) <= far) voices_.push_back({w, &s, s.normal(points_[v])});
+      if (s.is_within(points_[v], far)) voices_.push_back({w, &s, s.normal(points_[v])});
 }
 
 void Council::propose(Index v, const Agreement& agreement, bool own_only) {
@@ -46,12 +46,12 @@ void Council::propose(Index v, const Agreement& agreement, bool own_only) {
   listen(v, far);
   proposals_.clear();
   for (const LocalSurface& s : found_[v])
-    if (std::abs(s.distance(points_[v])) <= on)
+    if (s.is_within(points_[v], on))
       proposals_.push_back({&s, support(s, s.normal(points_[v]), far, cosine)});
   if (own_only) return;
   const LocalSurface* agreed = agreed_by_all();
   for (const Voice& o : voices_)
-    if (std::abs(o.surface->distance(points_[v])) <= on &&
+    if (o.surface->is_within(points_[v], on) &&
         !(agreed && is_same_side(*agreed, o.normal, points_[v])))
       proposals_.push_back({o.surface, support(*o.surface, o.normal, far, cosine)});
 }
@@ -71,7 +71,7 @@ int Council::support(const LocalSurface& s, Vec3 normal, double far, double cosi
   Index last = no_index;
   for (const Voice& o : voices_) {
     if (o.point == last || dot(o.normal, normal) < cosine) continue;
-    if (std::abs(s.distance(points_[o.point])) > far) continue;
+    if (!s.is_within(points_[o.point], far)) continue;
     last = o.point;  // counts once
     ++count;
   }
@@ -79,7 +79,7 @@ int Council::support(const LocalSurface& s, Vec3 normal, double far, double cosi
 }
 
 void Council::settle(Index v, std::vector<LocalSurface>& out) {
-  two_rings(mesh_, v, near_);
+  two_rings(mesh_, v, seen_, near_);
   keep_nearest(points_, v, most_near, near_);
   for (bool loosely : {false, true}) {
     propose(v, loosely ? loose : tight, loosely);

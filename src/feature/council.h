@@ -59,6 +59,7 @@ class Council {
   const std::vector<double>& spacing_;
   const std::vector<std::vector<LocalSurface>>& found_;
   double roughness_;
+  SmallSet seen_;
   std::vector<Index> near_;
   std::vector<Voice> voices_;  // in the order of near_
   std::vector<Proposal> proposals_;

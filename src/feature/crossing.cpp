@@ -19,8 +19,8 @@ constexpr double level = 1e-6;
 bool Crossing::agree(const Side& a, const Side& b) const {
   const Vec3 u = points[a.point], v = points[b.point];
   const double far = agreeing_distance * (spacing[a.point] + spacing[b.point]) / 2;
-  return std::abs(a.surface->distance(v)) <= far && std::abs(b.surface->distance(u)) <= far &&
-         dot(a.surface->normal(v), b.surface->normal(v)) >= agreeing_cosine;
+  return a.surface->is_within(v, far) && b.surface->is_within(u, far) &&
+         a.surface->has_direction(v, b.surface->normal(v), agreeing_cosine);
 }
 
 bool Crossing::crosses(Index u, Index v) const {
@@ -38,6 +38,16 @@ Turn Crossing::turn(const Side& a, const Side& b) const {
   if (bv < far && au < far) return Turn::convex;
   if (bv > -far && au > -far) return Turn::concave;
   return Turn::none;
+}
+
+std::vector<CrossingSide> crossing_sides(const Crossing& crossing) {
+  std::vector<CrossingSide> sides;
+  for (Index f = 0; f < crossing.mesh.facets.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index u = crossing.mesh.facets[f][i], v = crossing.mesh.facets[f][(i + 1) % 3];
+      if (u < v && crossing.crosses(u, v)) sides.push_back({u, v, f});
+    }
+  return sides;
 }
 
 }  // namespace arris

@@ -33,4 +33,13 @@ struct Crossing {
   Turn turn(const Side& a, const Side& b) const;
 };
 
+// A side whose ends cross, and one of its facets.
+struct CrossingSide {
+  Index u, v;
+  Index facet;
+};
+
+// Those of the mesh, lower end first, each once. O(facets).
+std::vector<CrossingSide> crossing_sides(const Crossing& crossing);
+
 }  // namespace arris

@@ -39,11 +39,6 @@ std::size_t corner_of(const Triangle& t, Index v) {
   return t[0] == v ? 0 : t[1] == v ? 1 : 2;
 }
 
-// The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
-Index next_corner(const Triangle& t, Index v) {
-  return t[(corner_of(t, v) + 1) % 3];
-}
-
 }  // namespace
 
 FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& points,
@@ -51,9 +46,11 @@ FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& p
     : facets(std::move(triangles)), stars(points.size(), facets) {
   neighbours.resize(facets.size());
   normal.resize(facets.size());
+  middle.resize(facets.size());
   parallel_for(facets.size(), threads, [&](std::size_t f) {
     const Triangle& t = facets[f];
     normal[f] = unit_normal(t, points);
+    middle[f] = 1.0 / 3 * (points[t[0]] + points[t[1]] + points[t[2]]);
     for (std::size_t i = 0; i < 3; ++i)
       neighbours[f][i] = facet_with_side(*this, t[(i + 2) % 3], t[(i + 1) % 3]);
   });
@@ -87,18 +84,20 @@ void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
   keep_distinct(out);
 }
 
-void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out) {
+void two_rings(const FacetMesh& mesh, Index v, SmallSet& seen, std::vector<Index>& out) {
   out.clear();
+  seen.clear();
+  seen.insert(v);
   std::vector<Index> buffer;
   for (Index f : mesh.star(v)) {
     const Index w = next_corner(mesh.facets[f], v);
-    out.push_back(w);
+    if (seen.insert(w)) out.push_back(w);
     for (Index g : mesh.star_near(w, f, buffer)) {
       const Index x = next_corner(mesh.facets[g], w);
-      if (x != v) out.push_back(x);
+      if (seen.insert(x)) out.push_back(x);
     }
   }
-  keep_distinct(out);
+  std::sort(out.begin(), out.end());
 }
 
 void keep_nearest(const std::vector<Vec3>& points, Index v, std::size_t most,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arris/types.h"
+#include "feature/small_set.h"
 #include "tetra/facet_stars.h"
 
 namespace arris {
@@ -20,6 +21,7 @@ struct FacetMesh {
   std::vector<Triangle> facets;                  // indices of points, outward
   std::vector<std::array<Index, 3>> neighbours;  // [f][i]: across the side opposite corner i
   std::vector<Vec3> normal;                      // unit; zero where a facet has none to judge by
+  std::vector<Vec3> middle;                      // mean of the corners
   FacetStars stars;
 
   // Every side must be shared by exactly two facets, in opposite directions; throws
@@ -36,11 +38,16 @@ struct FacetMesh {
 // The angle of a facet at its corner v, in radians.
 double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v);
 
+// The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
+inline Index next_corner(const Triangle& t, Index v) noexcept {
+  return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+}
+
 // The points that share a facet with v, ascending. O(degree).
 void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);
 // Those of the rings of the ring, too, without v; of points of more than most_round facets those
-// near v alone. O(n log n) for n = degree * most_round at most.
-void two_rings(const FacetMesh& mesh, Index v, std::vector<Index>& out);
+// near v alone. `seen` is scratch. O(n log n) for n = degree * most_round at most.
+void two_rings(const FacetMesh& mesh, Index v, SmallSet& seen, std::vector<Index>& out);
 
 // Keeps of a list of points the `most` nearest to v, ascending; a list that is no longer stays as
 // it is. O(n).

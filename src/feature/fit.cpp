@@ -1,8 +1,8 @@
 #include "feature/fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 namespace arris {
 namespace {
@@ -25,169 +25,150 @@ constexpr double bisquare = 4.685 / 1.4826;
 // surface turns about it.
 constexpr double least_pivot = 1e-13;
 
-using Coefficients = std::array<double, 6>;  // of a height field in units of h
-
-// A member in the frame of the surface, in units of h.
-struct Local {
-  double x, y, z;
-};
-
-Local to_local(const FitData& data, const LocalSurface& s, std::size_t member) {
-  const Vec3 d = (1 / data.h) * (data.points[data.members[member]] - s.origin);
-  return {dot(d, s.u), dot(d, s.v), dot(d, s.n)};
+template <std::size_t N>
+void add_to(NormalEquations<N>& sums, double x, double y, double z, double w) {
+  const std::array<double, 6> t = {1, x, y, x * x, x * y, y * y};
+  for (std::size_t i = 0; i < N; ++i) {
+    const double wt = w * t[i];
+    for (std::size_t j = 0; j <= i; ++j) sums.a[i][j] += wt * t[j];
+    sums.b[i] += wt * z;
+  }
 }
 
-void set_coefficients(const Coefficients& c, double h, LocalSurface& s) {
+// Of the first N unknowns, by a root-free Cholesky factorization a = L D L^T; what the members
+// leave open is zero, and so are the others.
+template <std::size_t N, std::size_t M>
+std::array<double, 6> solve(const NormalEquations<M>& sums) {
+  std::array<std::array<double, N>, N> scaled, lower;  // L D and L, below the diagonal
+  std::array<double, N> inverse, b;
+  for (std::size_t j = 0; j < N; ++j) {
+    const double diagonal = sums.a[j][j] + (j < 3 ? 0 : ridge * sums.a[0][0]);
+    double pivot = diagonal;
+    for (std::size_t k = 0; k < j; ++k) pivot -= scaled[j][k] * lower[j][k];
+    inverse[j] = pivot > least_pivot * diagonal ? 1 / pivot : 0;
+    for (std::size_t i = j + 1; i < N; ++i) {
+      scaled[i][j] = sums.a[i][j];
+      for (std::size_t k = 0; k < j; ++k) scaled[i][j] -= scaled[i][k] * lower[j][k];
+      lower[i][j] = scaled[i][j] * inverse[j];
+    }
+  }
+  for (std::size_t i = 0; i < N; ++i) {
+    b[i] = sums.b[i];
+    for (std::size_t k = 0; k < i; ++k) b[i] -= lower[i][k] * b[k];
+  }
+  std::array<double, 6> c{};
+  for (std::size_t i = N; i-- > 0;) {
+    c[i] = b[i] * inverse[i];
+    for (std::size_t k = i + 1; k < N; ++k) c[i] -= lower[k][i] * c[k];
+  }
+  return c;
+}
+
+void set_coefficients(const std::array<double, 6>& c, double h, LocalSurface& s) {
   s.c = {c[0] * h, c[1], c[2], c[3] / h, c[4] / h, c[5] / h};
-}
-
-// Normal equations of the first N of the monomials 1, x, y, x², xy, y²: 3 make a plane.
-template <std::size_t N>
-class LeastSquares {
- public:
-  void add(const Local& p, double w) {
-    const Coefficients t = {1, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
-    for (std::size_t i = 0; i < N; ++i) {
-      const double wt = w * t[i];
-      for (std::size_t j = 0; j <= i; ++j) a_[i][j] += wt * t[j];
-      b_[i] += wt * p.z;
-    }
-  }
-
-  // By a root-free Cholesky factorization; what the members leave open is zero.
-  Coefficients solve() {
-    for (std::size_t k = 3; k < N; ++k) a_[k][k] += ridge * a_[0][0];
-    std::array<double, N> inverse;
-    for (std::size_t j = 0; j < N; ++j) {
-      double pivot = a_[j][j];
-      for (std::size_t k = 0; k < j; ++k) pivot -= a_[j][k] * scaled_[j][k];
-      inverse[j] = pivot > least_pivot * a_[j][j] ? 1 / pivot : 0;
-      for (std::size_t i = j + 1; i < N; ++i) {
-        for (std::size_t k = 0; k < j; ++k) a_[i][j] -= a_[i][k] * scaled_[j][k];
-        scaled_[i][j] = a_[i][j] * inverse[j];
-      }
-    }
-    return substitute(inverse);
-  }
-
- private:
-  // a = L D L^T with L in scaled_ and L D in a_, below the diagonal.
-  Coefficients substitute(const std::array<double, N>& inverse) {
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t k = 0; k < i; ++k) b_[i] -= scaled_[i][k] * b_[k];
-    Coefficients c{};
-    for (std::size_t i = N; i-- > 0;) {
-      c[i] = b_[i] * inverse[i];
-      for (std::size_t k = i + 1; k < N; ++k) c[i] -= scaled_[k][i] * c[k];
-    }
-    return c;
-  }
-
-  std::array<std::array<double, N>, N> a_{}, scaled_{};
-  std::array<double, N> b_{};
-};
-
-// Iteratively reweighted fits to members whose places in the frame are computed once.
-class RobustFit {
- public:
-  RobustFit(const FitData& data, const LocalSurface& s)
-      : data_(data), place_(data.members.size()), residual_(place_.size()), weight_(data.weight) {
-    for (std::size_t k = 0; k < place_.size(); ++k) place_[k] = to_local(data, s, k);
-  }
-
-  const Coefficients& coefficients() const noexcept { return c_; }
-
-  // From the least squares fit on. Returns, of a plane, whether most members lie on it exactly.
-  template <std::size_t N>
-  bool run() {
-    weight_ = data_.weight;
-    fit<N>();
-    constexpr bool plane = N == 3;
-    const double floor = std::max(exact, data_.roughness / data_.h);
-    for (int step = 0; step < (plane ? plane_steps : quadric_steps); ++step) {
-      measure<N>();
-      const double median = median_residual();
-      if (plane && step == 1 && median > std::max(curved, 2 * floor)) return false;
-      if (*std::max_element(residual_.begin(), residual_.end()) <= floor) return true;
-      reweight(bisquare * std::max(median, floor));
-      fit<N>();
-    }
-    return !plane || is_plane();
-  }
-
- private:
-  template <std::size_t N>
-  void fit() {
-    LeastSquares<N> sums;
-    for (std::size_t k = 0; k < place_.size(); ++k) sums.add(place_[k], weight_[k]);
-    c_ = sums.solve();
-  }
-
-  // Distances of the members, to first order.
-  template <std::size_t N>
-  void measure() {
-    const double flat = std::sqrt(1 + c_[1] * c_[1] + c_[2] * c_[2]);
-    for (std::size_t k = 0; k < place_.size(); ++k) {
-      const auto& [x, y, z] = place_[k];
-      if (N == 3) {
-        residual_[k] = std::abs(z - (c_[0] + c_[1] * x + c_[2] * y)) / flat;
-        continue;
-      }
-      const double zx = c_[1] + 2 * c_[3] * x + c_[4] * y, zy = c_[2] + c_[4] * x + 2 * c_[5] * y;
-      const double height =
-          c_[0] + c_[1] * x + c_[2] * y + c_[3] * x * x + c_[4] * x * y + c_[5] * y * y;
-      residual_[k] = std::abs(z - height) / std::sqrt(1 + zx * zx + zy * zy);
-    }
-  }
-
-  double median_residual() {
-    scratch_ = residual_;
-    const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
-    std::nth_element(scratch_.begin(), middle, scratch_.end());
-    return *middle;
-  }
-
-  void reweight(double width) {
-    for (std::size_t k = 0; k < weight_.size(); ++k) {
-      const double r = std::min(residual_[k] / width, 1.0), one = 1 - r * r;
-      weight_[k] = data_.weight[k] * (one * one + 1e-9);  // never a singular system
-    }
-  }
-
-  bool is_plane() {
-    measure<3>();
-    const double near = std::max(10 * exact, 2 * data_.roughness / data_.h);
-    const auto on =
-        std::count_if(residual_.begin(), residual_.end(), [&](double r) { return r <= near; });
-    return static_cast<double>(on) >= plane_share * static_cast<double>(residual_.size());
-  }
-
-  const FitData& data_;
-  std::vector<Local> place_;
-  std::vector<double> residual_, weight_, scratch_;
-  Coefficients c_{};
-};
-
-template <std::size_t N>
-Coefficients least_squares(const FitData& data, const LocalSurface& s) {
-  LeastSquares<N> sums;
-  for (std::size_t k = 0; k < data.members.size(); ++k)
-    sums.add(to_local(data, s, k), data.weight[k]);
-  return sums.solve();
 }
 
 }  // namespace
 
-void fit(const FitData& data, Form form, LocalSurface& surface) {
-  set_coefficients(
-      form == Form::plane ? least_squares<3>(data, surface) : least_squares<6>(data, surface),
-      data.h, surface);
+void PatchFit::start(const LocalSurface& surface, double h, double roughness) {
+  frame_ = surface;
+  h_ = h;
+  roughness_ = roughness;
+  for (auto* per_member : {&x_, &y_, &z_, &weight_}) per_member->clear();
+  sums_ = {};
 }
 
-void fit_robustly(const FitData& data, LocalSurface& surface) {
-  RobustFit robust(data, surface);
-  if (!robust.run<3>()) robust.run<6>();
-  set_coefficients(robust.coefficients(), data.h, surface);
+void PatchFit::add(Vec3 p, double weight) {
+  const Vec3 d = (1 / h_) * (p - frame_.origin);
+  x_.push_back(dot(d, frame_.u));
+  y_.push_back(dot(d, frame_.v));
+  z_.push_back(dot(d, frame_.n));
+  weight_.push_back(weight);
+  add_to(sums_, x_.back(), y_.back(), z_.back(), weight);
+}
+
+void PatchFit::fit(Form form, LocalSurface& surface) const {
+  set_coefficients(form == Form::plane ? solve<3>(sums_) : solve<6>(sums_), h_, surface);
+}
+
+void PatchFit::fit_robustly(LocalSurface& surface) {
+  residual_.resize(x_.size());
+  if (!run<3>()) run<6>();
+  set_coefficients(c_, h_, surface);
+}
+
+template <std::size_t N>
+bool PatchFit::run() {
+  c_ = solve<N>(sums_);
+  constexpr bool plane = N == 3;
+  const double floor = std::max(exact, roughness_ / h_);
+  for (int step = 0; step < (plane ? plane_steps : quadric_steps); ++step) {
+    measure<N>();
+    if (*std::max_element(residual_.begin(), residual_.end()) <= floor) return true;
+    const double median = median_residual();
+    if (plane && step == 1 && median > std::max(curved, 2 * floor)) return false;
+    refit<N>(bisquare * std::max(median, floor));
+  }
+  return !plane || is_plane();
+}
+
+// Distances of the members, to first order.
+template <std::size_t N>
+void PatchFit::measure() {
+  const auto& c = c_;
+  const double flat = std::sqrt(1 + c[1] * c[1] + c[2] * c[2]);
+  for (std::size_t k = 0; k < residual_.size(); ++k) {
+    const double x = x_[k], y = y_[k], z = z_[k];
+    if (N == 3) {
+      residual_[k] = std::abs(z - (c[0] + c[1] * x + c[2] * y)) / flat;
+      continue;
+    }
+    const double zx = c[1] + 2 * c[3] * x + c[4] * y, zy = c[2] + c[4] * x + 2 * c[5] * y;
+    const double height = c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
+    residual_[k] = std::abs(z - height) / std::sqrt(1 + zx * zx + zy * zy);
+  }
+}
+
+// With weights that fall to nothing where residuals reach `width`.
+template <std::size_t N>
+void PatchFit::refit(double width) {
+  NormalEquations<N> sums;
+  for (std::size_t k = 0; k < residual_.size(); ++k) {
+    const double r = std::min(residual_[k] / width, 1.0), one = 1 - r * r;
+    const double weight = weight_[k] * (one * one + 1e-9);  // never a singular system
+    add_to(sums, x_[k], y_[k], z_[k], weight);
+  }
+  c_ = solve<N>(sums);
+}
+
+// Between bounds that close in: for as few values as a patch has, counting is faster than moving
+// them, as it takes no branches.
+double PatchFit::median_residual() const {
+  const auto rank = static_cast<std::ptrdiff_t>(residual_.size() / 2);
+  double above = -1, below = std::numeric_limits<double>::infinity();
+  for (const double pivot : residual_) {
+    if (pivot <= above || pivot >= below) continue;
+    std::ptrdiff_t less = 0, equal = 0;
+    for (const double r : residual_) {
+      less += r < pivot;
+      equal += r == pivot;
+    }
+    if (less > rank)
+      below = pivot;
+    else if (less + equal <= rank)
+      above = pivot;
+    else
+      return pivot;
+  }
+  return below;  // of what is no number
+}
+
+bool PatchFit::is_plane() {
+  measure<3>();
+  const double near = std::max(10 * exact, 2 * roughness_ / h_);
+  const auto on =
+      std::count_if(residual_.begin(), residual_.end(), [&](double r) { return r <= near; });
+  return static_cast<double>(on) >= plane_share * static_cast<double>(residual_.size());
 }
 
 }  // namespace arris

@@ -58,8 +58,9 @@ void insert_feature_points(const std::vector<Vec3>& points, std::size_t samples,
                            const Sensed& sensed, const std::vector<FeaturePoint>& refused,
                            std::vector<FeaturePoint>& features, Job& job) {
   const Crossing crossing{points, mesh, spacing, sensed};
-  std::vector<Candidate> corners = corner_candidates(crossing, job);
-  std::vector<Candidate> edges = edge_candidates(crossing, job);
+  const std::vector<CrossingSide> sides = crossing_sides(crossing);
+  std::vector<Candidate> corners = corner_candidates(crossing, sides, job);
+  std::vector<Candidate> edges = edge_candidates(crossing, sides, job);
   drop_refused(refused, corners);
   drop_refused(refused, edges);
   const auto [least_corner, most_corner] = radii(corners, apart);

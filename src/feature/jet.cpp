@@ -12,7 +12,8 @@ namespace {
 using Terms = Eigen::Matrix<double, 10, 1>;
 using Normal = Eigen::Matrix<double, 10, 10>;
 
-// Width of the Gaussian, in units of `unit`. Widths of 0.75 to 2 bring the same within a few percent.
+// Width of the Gaussian, in units of `unit`. Widths of 0.75 to 2 bring the same within a few
+// percent.
 constexpr double width = 1;
 // Ridges on second and third derivatives: nothing against what well spread members say.
 constexpr double ridge_second = 1e-4, ridge_third = 1e-3;

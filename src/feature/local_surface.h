@@ -22,11 +22,25 @@ struct LocalSurface {
     const Foot f = foot(p);
     return (f.above - f.z) / std::sqrt(1 + f.zx * f.zx + f.zy * f.zy);
   }
+  // Whether that distance is at most `far`: mostly the height alone, never less, tells.
+  bool is_within(Vec3 p, double far) const noexcept {
+    const Foot f = foot(p);
+    const double height = std::abs(f.above - f.z);
+    return height <= far || height / std::sqrt(1 + f.zx * f.zx + f.zy * f.zy) <= far;
+  }
   // Outward unit normal at the foot of p.
   Vec3 normal(Vec3 p) const noexcept {
-    const Foot f = foot(p);
-    const Vec3 g = n - f.zx * u - f.zy * v;
+    const Vec3 g = gradient(p);
     return (1 / length(g)) * g;
+  }
+  // Whether dot(normal(p), unit) is at least `cosine`: mostly told without a root.
+  bool has_direction(Vec3 p, Vec3 unit, double cosine) const noexcept {
+    const Vec3 g = gradient(p);
+    const double gg = squared_length(g), along = dot(unit, g);
+    const double excess = along * std::abs(along) - cosine * std::abs(cosine) * gg;
+    constexpr double rounding = 1e-9;  // generously
+    if (std::abs(excess) > rounding * gg) return excess > 0;
+    return dot(unit, (1 / length(g)) * g) >= cosine;
   }
 
  private:
@@ -34,6 +48,10 @@ struct LocalSurface {
   struct Foot {
     double above, z, zx, zy;
   };
+  Vec3 gradient(Vec3 p) const noexcept {
+    const Foot f = foot(p);
+    return n - f.zx * u - f.zy * v;
+  }
   Foot foot(Vec3 p) const noexcept {
     const Vec3 d = p - origin;
     const double x = dot(d, u), y = dot(d, v);

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "base/angle.h"
-#include "feature/fit.h"
 
 namespace arris {
 namespace {
@@ -31,11 +30,6 @@ bool is_due(std::size_t members) {
 
 }  // namespace
 
-Vec3 PatchGrower::middle(Index f) const {
-  const Triangle& t = mesh_.facets[f];
-  return 1.0 / 3 * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
-}
-
 void PatchGrower::push(Index facet, double distance) {
   frontier_.emplace_back(distance, facet);
   std::push_heap(frontier_.begin(), frontier_.end(), std::greater<>());
@@ -48,71 +42,91 @@ Index PatchGrower::pop() {
   return nearest;
 }
 
-bool PatchGrower::accepts(const Patch& patch, Index f, const Limits& limits) const {
-  const double h = spacing_[patch.members[0]];
-  const bool quadric = patch.members.size() >= quadric_members;
-  for (Index v : mesh_.facets[f]) {
-    const Vec3 p = points_[v];
-    const double far = distance(p, patch.surface.origin);
-    if (far > reach * h) return false;
-    const double lever = quadric ? h / 4 : std::max(h, far) / 2;
-    if (std::abs(patch.surface.distance(p)) > limits.tangent * lever + 2 * roughness_) return false;
-  }
+bool PatchGrower::accepts(Index f, const Limits& limits) {
+  for (Index v : mesh_.facets[f])
+    if (!is_near(v, limits.tangent)) return false;
   const Vec3 n = mesh_.normal[f];
   if (n == Vec3{}) return true;
-  return dot(n, patch.surface.normal(middle(f))) >=
-         (quadric ? limits.quadric_cosine : limits.plane_cosine);
+  const bool quadric = patch_.members.size() >= quadric_members;
+  return patch_.surface.has_direction(mesh_.middle[f], n,
+                                      quadric ? limits.quadric_cosine : limits.plane_cosine);
+}
+
+// Whether the point lies near enough to the centre and to the fit so far. Every facet round the
+// point asks: the answer is kept until the fit is renewed.
+bool PatchGrower::is_near(Index v, double tangent) {
+  Reached& point = reached_[v];
+  if (point.fit == fits_) return point.is_near;
+  point.fit = fits_;
+  const Vec3 p = points_[v];
+  if (point.far < 0) point.far = distance(p, patch_.surface.origin);
+  const double h = spacing_[patch_.members[0]];
+  const bool quadric = patch_.members.size() >= quadric_members;
+  const double lever = quadric ? h / 4 : std::max(h, point.far) / 2;
+  point.is_near =
+      point.far <= reach * h && patch_.surface.is_within(p, tangent * lever + 2 * roughness_);
+  return point.is_near;
 }
 
 // Returns whether a point came with it.
-bool PatchGrower::add_facet(Patch& patch, Index f) {
-  patch.facets.push_back(f);
-  const std::size_t before = patch.members.size();
+bool PatchGrower::add_facet(Index f) {
+  patch_.facets.push_back(f);
+  const std::size_t before = patch_.members.size();
   for (Index v : mesh_.facets[f]) {
-    if (!members_.insert(v)) continue;
-    const double d = distance(points_[v], patch.surface.origin) / spacing_[patch.members[0]];
-    patch.members.push_back(v);
-    patch.weight.push_back(std::exp(-d * d / (2 * fit_width * fit_width)));
+    Reached& point = reached_[v];
+    if (point.is_member) continue;
+    point.is_member = true;
+    if (point.far < 0) point.far = distance(points_[v], patch_.surface.origin);
+    const double d = point.far / spacing_[patch_.members[0]];
+    patch_.members.push_back(v);
+    fit_.add(points_[v], std::exp(-d * d / (2 * fit_width * fit_width)));
   }
-  return patch.members.size() > before;
+  return patch_.members.size() > before;
 }
 
-Patch PatchGrower::grow(Index centre, Index seed, const PatchTolerance& tolerance) {
-  Patch patch;
-  patch.members.reserve(most_members + 2);
-  patch.weight.reserve(most_members + 2);
-  patch.members.push_back(centre);
-  patch.weight.push_back(1);
-  if (mesh_.normal[seed] == Vec3{}) return patch;
-  patch.surface = tangent_plane(points_[centre], mesh_.normal[seed]);
-  const FitData data{points_, patch.members, patch.weight, spacing_[centre], roughness_};
-  const double rough = 2 * roughness_ / spacing_[centre];
-  const Limits limits{std::cos(2 * tolerance.angle + rough), std::cos(tolerance.angle + rough),
-                      tolerance.tangent};
-  members_.clear();
-  members_.insert(centre);
+// With `centre` alone.
+void PatchGrower::start(Index centre, Index seed) {
+  patch_.members.assign(1, centre);
+  patch_.facets.clear();
+  patch_.surface = tangent_plane(points_[centre], mesh_.normal[seed]);
+  fit_.start(patch_.surface, spacing_[centre], roughness_);
+  fit_.add(points_[centre], 1);
+  fits_ = 0;
+  reached_.clear();
+  reached_[centre].is_member = true;
   seen_.clear();
   seen_.insert(seed);
   frontier_.clear();
   push(seed, 0);
-  while (!frontier_.empty() && patch.members.size() < most_members) {
-    const Index f = pop();
-    if (f != seed && !accepts(patch, f, limits)) continue;
-    if (add_facet(patch, f) && is_due(patch.members.size()))
-      fit(data, patch.members.size() >= quadric_members ? Form::quadric : Form::plane,
-          patch.surface);
-    for (Index g : mesh_.neighbours[f])
-      if (seen_.insert(g)) push(g, distance(middle(g), points_[centre]));
-  }
-  if (patch.members.size() >= large_members) fit_robustly(data, patch.surface);
-  return patch;
 }
 
-bool PatchGrower::is_large(const Patch& patch) const {
-  if (patch.members.size() < large_members) return false;
-  const Index centre = patch.members[0];
+std::optional<Patch> PatchGrower::grow(Index centre, Index seed, const PatchTolerance& tolerance) {
+  if (mesh_.normal[seed] == Vec3{}) return std::nullopt;
+  const double rough = 2 * roughness_ / spacing_[centre];
+  const Limits limits{std::cos(2 * tolerance.angle + rough), std::cos(tolerance.angle + rough),
+                      tolerance.tangent};
+  start(centre, seed);
+  while (!frontier_.empty() && patch_.members.size() < most_members) {
+    const Index f = pop();
+    if (f != seed && !accepts(f, limits)) continue;
+    if (add_facet(f) && is_due(patch_.members.size())) {
+      const bool quadric = patch_.members.size() >= quadric_members;
+      fit_.fit(quadric ? Form::quadric : Form::plane, patch_.surface);
+      ++fits_;
+    }
+    for (Index g : mesh_.neighbours[f])
+      if (seen_.insert(g)) push(g, distance(mesh_.middle[g], points_[centre]));
+  }
+  if (!is_large()) return std::nullopt;
+  fit_.fit_robustly(patch_.surface);
+  return patch_;
+}
+
+bool PatchGrower::is_large() const {
+  if (patch_.members.size() < large_members) return false;
+  const Index centre = patch_.members[0];
   double sector = 0;
-  for (Index f : patch.facets) {
+  for (Index f : patch_.facets) {
     const Triangle& t = mesh_.facets[f];
     if (std::find(t.begin(), t.end(), centre) != t.end()) sector += angle_at(points_, t, centre);
   }

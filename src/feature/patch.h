@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "feature/facets.h"
+#include "feature/fit.h"
 #include "feature/local_surface.h"
 #include "feature/small_set.h"
 
@@ -17,7 +19,6 @@ namespace arris {
 
 struct Patch {
   std::vector<Index> members;  // points, the centre first
-  std::vector<double> weight;  // per member: falls off with the distance from the centre
   std::vector<Index> facets;
   LocalSurface surface;
 };
@@ -39,20 +40,27 @@ class PatchGrower {
               const std::vector<double>& spacing, double roughness)
       : points_(points), mesh_(mesh), spacing_(spacing), roughness_(roughness) {}
 
-  // The patch round `centre` that starts with facet `seed` of its star.
-  Patch grow(Index centre, Index seed, const PatchTolerance& tolerance);
-
-  // Members enough, on a wide enough sector round the centre, to be more than a bevel.
-  bool is_large(const Patch& patch) const;
+  // The patch round `centre` that starts with facet `seed` of its star; none if it is no more than
+  // a bevel: members enough, on a wide enough sector round the centre.
+  std::optional<Patch> grow(Index centre, Index seed, const PatchTolerance& tolerance);
 
  private:
   // What a patch accepts, as a plane and as a quadric.
   struct Limits {
     double plane_cosine, quadric_cosine, tangent;
   };
-  bool accepts(const Patch& patch, Index facet, const Limits& limits) const;
-  bool add_facet(Patch& patch, Index facet);
-  Vec3 middle(Index facet) const;
+  // What is known of a point that a patch came to.
+  struct Reached {
+    double far = -1;       // from the centre; negative: not yet measured
+    int fit = -1;          // the number of the fit for which the next is known
+    bool is_near = false;  // it lies near enough to that fit
+    bool is_member = false;
+  };
+  void start(Index centre, Index seed);
+  bool accepts(Index facet, const Limits& limits);
+  bool is_near(Index v, double tangent);
+  bool add_facet(Index facet);
+  bool is_large() const;
   void push(Index facet, double distance);
   Index pop();
 
@@ -60,8 +68,12 @@ class PatchGrower {
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
   double roughness_;
+  Patch patch_;                                     // that grows
   std::vector<std::pair<double, Index>> frontier_;  // a heap, nearest first
-  SmallSet seen_, members_;
+  SmallSet seen_;                                   // facets
+  SmallMap<Reached> reached_;
+  PatchFit fit_;
+  int fits_ = 0;  // of the patch so far
 };
 
 }  // namespace arris

@@ -1,6 +1,7 @@
 #include "feature/protect.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -55,10 +56,8 @@ class Protector {
     const Vec3 t = cross(a.normal(p.position), b.normal(p.position));
     const double sine = length(t);
     if (sine < least_sine) return;
-    for (double sign : {1.0, -1.0}) {
-      const Index q = next(p, a, b, (sign / sine) * t);
+    for (const Index q : next_both_ways(p, a, b, (1 / sine) * t))
       if (q != no_index) split(p, FeaturePoint(all_[q]), a, b);
-    }
   }
 
   void split(const FeaturePoint& p, const FeaturePoint& q, const LocalSurface& a,
@@ -100,28 +99,30 @@ class Protector {
     });
   }
 
-  // The next feature point on both surfaces in that direction.
-  Index next(const FeaturePoint& p, const LocalSurface& a, const LocalSurface& b,
-             Vec3 direction) const {
-    Index best = no_index;
-    double nearest = reach * p.spacing;
-    grid_.visit(p.position, nearest, [&](Index i) {
+  // The next feature points on both surfaces along that direction and against it.
+  std::array<Index, 2> next_both_ways(const FeaturePoint& p, const LocalSurface& a,
+                                      const LocalSurface& b, Vec3 direction) const {
+    std::array<Index, 2> best = {no_index, no_index};
+    std::array<double, 2> nearest = {reach * p.spacing, reach * p.spacing};
+    grid_.visit(p.position, reach * p.spacing, [&](Index i) {
       const Vec3 d = all_[i].position - p.position;
-      const double far = length(d);
-      if (!(far > 0) || far >= nearest || dot(d, direction) < ahead * far) return true;
+      const double far = length(d), along = dot(d, direction);
+      const std::size_t way = along < 0;
+      if (!(far > 0) || far >= nearest[way] || std::abs(along) < ahead * far) return true;
       if (!has(all_[i], a) || !has(all_[i], b)) return true;
-      best = i;
-      nearest = far;
+      best[way] = i;
+      nearest[way] = far;
       return true;
     });
     return best;
   }
 
   static bool has(const FeaturePoint& p, const LocalSurface& s) {
-    return std::abs(s.distance(p.position)) < same_distance * p.spacing &&
-           std::any_of(p.surfaces.begin(), p.surfaces.end(), [&](const LocalSurface& o) {
-             return dot(o.normal(p.position), s.normal(p.position)) > same_cosine;
-           });
+    if (!(std::abs(s.distance(p.position)) < same_distance * p.spacing)) return false;
+    const Vec3 normal = s.normal(p.position);
+    return std::any_of(p.surfaces.begin(), p.surfaces.end(), [&](const LocalSurface& o) {
+      return dot(o.normal(p.position), normal) > same_cosine;
+    });
   }
 
   const std::vector<Vec3>& points_;

@@ -44,8 +44,7 @@ class Senser {
         return a.members.size() > b.members.size();
       });
       for (const Patch& p : found)
-        if (std::abs(p.surface.distance(points_[v])) <=
-            on_surface_distance(spacing_[v], roughness_))
+        if (p.surface.is_within(points_[v], on_surface_distance(spacing_[v], roughness_)))
           add_distinct(p.surface, points_[v], out);
       if (!out.empty()) return;
     }
@@ -69,8 +68,8 @@ class Senser {
         return std::find(p.facets.begin(), p.facets.end(), f) != p.facets.end();
       });
       if (covered) continue;
-      Patch p = grower_.grow(v, f, tolerance);
-      if (grower_.is_large(p)) found.push_back(std::move(p));
+      std::optional<Patch> p = grower_.grow(v, f, tolerance);
+      if (p) found.push_back(std::move(*p));
     }
     return found;
   }

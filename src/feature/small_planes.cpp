@@ -35,7 +35,7 @@ double false_alarms(std::size_t others, std::size_t members, double far) {
 }  // namespace
 
 void SmallPlanes::gather(Index v) {
-  two_rings(mesh_, v, near_);
+  two_rings(mesh_, v, seen_, near_);
   const double far = reach * spacing_[v];
   std::erase_if(near_,
                 [&](Index w) { return !open_[w] || distance(points_[v], points_[w]) > far; });
@@ -83,8 +83,10 @@ void SmallPlanes::find(Index v, std::vector<LocalSurface>& out) {
   const double cosine = dot(best.normal, outward(v));
   if (std::abs(cosine) < least_cosine) return;
   LocalSurface plane = tangent_plane(points_[v], cosine > 0 ? best.normal : -best.normal);
-  const std::vector<double> weight(best.members.size(), 1);
-  fit({points_, best.members, weight, spacing_[v]}, Form::plane, plane);
+  PatchFit fit;
+  fit.start(plane, spacing_[v], 0);
+  for (Index w : best.members) fit.add(points_[w], 1);
+  fit.fit(Form::plane, plane);
   out.push_back(plane);
 }
 

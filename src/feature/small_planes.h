@@ -37,6 +37,7 @@ class SmallPlanes {
   const FacetMesh& mesh_;
   const std::vector<double>& spacing_;
   const std::vector<std::uint8_t>& open_;
+  SmallSet seen_;
   std::vector<Index> near_;
   std::vector<std::pair<double, Index>> off_;  // distance from a plane over h, point
 };

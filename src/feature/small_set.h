@@ -1,7 +1,8 @@
-// A set of indices that is filled and emptied again and again: what a walk has seen.
+// Sets and maps of indices that are filled and emptied again and again: what a walk has seen.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "arris/types.h"
@@ -9,26 +10,29 @@
 namespace arris {
 
 // Open addressing with linear probing. O(1) each; clear() too, by a stamp.
-class SmallSet {
+template <class Value>
+class SmallMap {
  public:
   void clear() noexcept {
     ++stamp_;
     size_ = 0;
   }
-  // Returns whether i is new.
-  bool insert(Index i) {
+  // The value of i; a fresh one if i is new. Good until the next call.
+  Value& operator[](Index i) {
     if (4 * size_ >= 3 * slots_.size()) grow();
     Slot& s = slots_[place(i)];
-    if (s.stamp == stamp_) return false;
-    s = {i, stamp_};
-    ++size_;
-    return true;
+    if (s.stamp != stamp_) {
+      s = {i, stamp_, Value{}};
+      ++size_;
+    }
+    return s.value;
   }
 
  private:
   struct Slot {
     Index index = no_index;
     std::uint64_t stamp = 0;  // of the filling that it belongs to
+    Value value{};
   };
   // The slot that holds i, or the free one where it belongs.
   std::size_t place(Index i) const noexcept {
@@ -47,6 +51,16 @@ class SmallSet {
   std::vector<Slot> slots_ = std::vector<Slot>(256);  // a power of two
   std::size_t size_ = 0;
   std::uint64_t stamp_ = 1;
+};
+
+class SmallSet {
+ public:
+  void clear() noexcept { holds_.clear(); }
+  // Returns whether i is new.
+  bool insert(Index i) { return !std::exchange(holds_[i], true); }
+
+ private:
+  SmallMap<bool> holds_;
 };
 
 }  // namespace arris

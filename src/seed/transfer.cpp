@@ -152,13 +152,16 @@ Seeds follow_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
       result.firm[t] = 1;
       return;
     }
-    const bool bridge = is_bridge(fine, t, base, h);
+    if (is_bridge(fine, t, base, h)) {
+      result.label[t] = seed_free;
+      return;
+    }
     const std::uint8_t label = label_at(t);
-    result.label[t] = bridge ? seed_free : label;
+    result.label[t] = label;
     // A point that lies outside was added to win what is outside round it: that must not vote
     // against it, and likewise inside.
     result.hint[t] = sliver || (places[t] >> label & 1) != 0;
-    result.firm[t] = !bridge && !sliver && circumball(fine, t).radius > firm_radius * h;
+    result.firm[t] = !sliver && circumball(fine, t).radius > firm_radius * h;
   });
   return result;
 }

@@ -27,14 +27,19 @@ Index Descent::lost_sample(Tet t) const noexcept {
 
 std::vector<Outlook> Descent::survey(unsigned threads) {
   std::vector<Outlook> outlooks(boundary_.mesh().finite);
-  fidelity_.fill(threads, [this](Tet t) { return is_due(t) && boundary_.facets(t) != 0; });
-  parallel_for(outlooks.size(), threads,
-               [&](std::size_t t) { outlooks[t] = outlook(static_cast<Tet>(t)); });
+  std::vector<std::uint8_t> movable(outlooks.size());
+  parallel_for(outlooks.size(), threads, [&](std::size_t i) {
+    const auto t = static_cast<Tet>(i);
+    movable[t] = is_due(t) && boundary_.facets(t) != 0 && may_move(t) && boundary_.is_simple(t);
+  });
+  fidelity_.fill(threads, [&](Tet t) { return movable[t] != 0; });
+  parallel_for(outlooks.size(), threads, [&](std::size_t t) {
+    if (movable[t]) outlooks[t] = outlook(static_cast<Tet>(t));
+  });
   return outlooks;
 }
 
 Outlook Descent::outlook(Tet t) const {
-  if (!is_due(t) || boundary_.facets(t) == 0 || !may_move(t) || !boundary_.is_simple(t)) return {};
   const Change change = flip_change(boundary_, model_, fidelity_, t);
   return {change.lowers() && lost_sample(t) == no_index, change.value <= highest_climb(model_)};
 }

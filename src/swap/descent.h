@@ -21,6 +21,7 @@ class Descent {
       : boundary_(mesh, labels), fidelity_(mesh, model), model_(model), options_(options) {}
 
   const Boundary& boundary() const noexcept { return boundary_; }
+  const FidelityCosts& fidelity() const noexcept { return fidelity_; }
 
   // What every finite tetrahedron that is not settled is good for as the surface stands.
   std::vector<Outlook> survey(unsigned threads);
@@ -45,7 +46,7 @@ class Descent {
     return boundary_.mesh().is_finite(t) && (options_.frozen.empty() || options_.frozen[t] == 0);
   }
   bool is_due(Tet t) const noexcept { return options_.settled.empty() || options_.settled[t] == 0; }
-  Outlook outlook(Tet t) const;
+  Outlook outlook(Tet t) const;  // of one whose flip is simple
   // The sample that a simple flip of t takes off the surface, if those must stay; or no_index.
   Index lost_sample(Tet t) const noexcept;
   void extend(Tet t, const Change& change);

@@ -36,6 +36,21 @@ class Queue {
   std::vector<Tet> now_, next_;
 };
 
+double energy_of(const FidelityCosts& costs, const Labels& labels, unsigned threads) {
+  const TetMesh& mesh = costs.mesh();
+  const double fidelity = parallel_sum(mesh.finite, threads, [&](std::size_t t) {
+    double sum = 0;
+    if (labels[t] == 0) return sum;
+    for (int i = 0; i < 4; ++i)
+      if (labels[mesh.neighbours[t][static_cast<std::size_t>(i)]] == 0)
+        sum += costs(static_cast<Tet>(t), i);
+    return sum;
+  });
+  return fidelity + (costs.model().curvature == Curvature::cotangent
+                         ? cotangent_energy(mesh, costs.model(), labels)
+                         : polyhedral_energy(mesh, costs.model(), labels, threads));
+}
+
 class Swapper {
  public:
   Swapper(const TetMesh& mesh, const EnergyModel& model, const SwapOptions& options, Labels& labels,
@@ -49,7 +64,7 @@ class Swapper {
         seen_(mesh.size(), 0) {}
 
   SwapResult run() {
-    energy_ = total_energy(mesh_, model_, descent_.boundary().labels(), job_.threads());
+    energy_ = energy_of(descent_.fidelity(), descent_.boundary().labels(), job_.threads());
     result_.energy.push_back(energy_);
     push_promising();
     while (!flips_.empty() || !chains_.empty()) {
@@ -152,17 +167,7 @@ class Swapper {
 
 double total_energy(const TetMesh& mesh, const EnergyModel& model, const Labels& labels,
                     unsigned threads) {
-  const double fidelity = parallel_sum(mesh.finite, threads, [&](std::size_t t) {
-    double sum = 0;
-    if (labels[t] == 0) return sum;
-    for (int i = 0; i < 4; ++i)
-      if (labels[mesh.neighbours[t][static_cast<std::size_t>(i)]] == 0)
-        sum += fidelity_cost(mesh, model, static_cast<Tet>(t), i);
-    return sum;
-  });
-  return fidelity + (model.curvature == Curvature::cotangent
-                         ? cotangent_energy(mesh, model, labels)
-                         : polyhedral_energy(mesh, model, labels, threads));
+  return energy_of(FidelityCosts(mesh, model), labels, threads);
 }
 
 SwapResult swap_tetrahedra(const TetMesh& mesh, const EnergyModel& model,

@@ -16,15 +16,19 @@ using namespace test;
 // Members of a patch about the origin, weighted as patches weight them.
 struct Cloudlet {
   std::vector<Vec3> points;
-  std::vector<Index> members;
   std::vector<double> weight;
 
   void add(Vec3 p) {
-    members.push_back(static_cast<Index>(points.size()));
     weight.push_back(std::exp(-squared_length(p) / 4.5));
     points.push_back(p);
   }
-  FitData data(double h = 1) const { return {points, members, weight, h}; }
+  // To lengths in units of h, over the frame of s.
+  void fit_robustly(LocalSurface& s, double h = 1) const {
+    PatchFit fit;
+    fit.start(s, h, 0);
+    for (std::size_t k = 0; k < points.size(); ++k) fit.add(points[k], weight[k]);
+    fit.fit_robustly(s);
+  }
 };
 
 // Evenly in the disc of that radius.
@@ -68,7 +72,7 @@ RC_GTEST_PROP(Fit, APlaneIsFoundExactlyWhateverTheFrame, ()) {
   c.add({});
   while (c.points.size() < 12) c.add(in_disc(random, 3));
   LocalSurface s = leaning_frame(random);
-  fit_robustly(c.data(), s);
+  c.fit_robustly(s);
   RC_ASSERT(is_plane(s));
   RC_ASSERT(farthest(c, s, 12) < 1e-12);
 }
@@ -90,7 +94,7 @@ RC_GTEST_PROP(Fit, APlaneIsFoundExactlyAmongTwentyPercentOutliers, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const Cloudlet c = plane_with_outliers(random, 28, 5, 0.08);
   LocalSurface s = leaning_frame(random);
-  fit_robustly(c.data(), s);
+  c.fit_robustly(s);
   RC_ASSERT(is_plane(s));
   RC_ASSERT(farthest(c, s, 23) < 1e-6);
 }
@@ -102,7 +106,7 @@ TEST(Fit, APlaneIsFoundExactlyInMostDrawsAmongThirtyPercentOutliers) {
   for (int draw = 0; draw < 1000; ++draw) {
     const Cloudlet c = plane_with_outliers(random, 28, 8, 0.08);
     LocalSurface s = leaning_frame(random);
-    fit_robustly(c.data(), s);
+    c.fit_robustly(s);
     exact += is_plane(s) && farthest(c, s, 20) < 1e-6;
   }
   EXPECT_GT(exact, 980);
@@ -147,7 +151,7 @@ TEST(Fit, AQuadricFollowsRoundSurfacesToTheFourthOrder) {
       for (int draw = 0; draw < 200; ++draw) {
         const Cloudlet c = on_top(radius, cylinder, random);
         LocalSurface s = tangent_plane({}, {0, 0, 1});
-        fit_robustly(c.data(), s);
+        c.fit_robustly(s);
         EXPECT_FALSE(is_plane(s)) << radius;
         const Deviation d = deviation_of(c, s, radius, cylinder);
         distances.push_back(d.distance);
@@ -162,6 +166,26 @@ TEST(Fit, AQuadricFollowsRoundSurfacesToTheFourthOrder) {
     }
 }
 
+// What one patch left behind does not show in the next, and neither does when fits are asked for.
+RC_GTEST_PROP(Fit, PatchesAndFitsInBetweenLeaveNoTrace, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const Cloudlet before = plane_with_outliers(random, 30, 4, 0.08), c = on_top(6, false, random);
+  const LocalSurface frame = leaning_frame(random);
+  LocalSurface alone = frame, after = frame, between = frame;
+  c.fit_robustly(alone);
+  PatchFit fit;
+  for (const Cloudlet* cloudlet : {&before, &c}) {
+    fit.start(frame, 1, 0);
+    for (std::size_t k = 0; k < cloudlet->points.size(); ++k) {
+      fit.add(cloudlet->points[k], cloudlet->weight[k]);
+      if (k % 5 == 4) fit.fit(k % 2 ? Form::plane : Form::quadric, between);
+    }
+    fit.fit_robustly(after);
+  }
+  RC_ASSERT(after.c == alone.c);
+  RC_ASSERT(between.c != alone.c);
+}
+
 // Lengths are measured in spacings: the same patch at another scale has the same fit.
 RC_GTEST_PROP(Fit, TheFitScalesWithTheSpacing, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
@@ -170,8 +194,8 @@ RC_GTEST_PROP(Fit, TheFitScalesWithTheSpacing, ()) {
   Cloudlet other = one;
   for (Vec3& p : other.points) p = scale * p;
   LocalSurface s = leaning_frame(random), t = s;
-  fit_robustly(one.data(), s);
-  fit_robustly(other.data(scale), t);
+  one.fit_robustly(s);
+  other.fit_robustly(t, scale);
   for (std::size_t i = 0; i < one.points.size(); ++i)
     RC_ASSERT(t.distance(other.points[i]) == scale * s.distance(one.points[i]));
 }

@@ -236,12 +236,17 @@ TEST(Insert, SampledEdgesGetNone) {
   EXPECT_TRUE(features_of(FirstSurface(r->mesh, 1)).empty());
 }
 
+std::vector<Candidate> corners_of(const FirstSurface& s) {
+  OneStageJob job;
+  const Crossing crossing{s.points, s.facets, s.spacing, s.sensed};
+  return corner_candidates(crossing, crossing_sides(crossing), job);
+}
+
 // Noise can give every sample sides of its own, in all directions; every three of those near a
 // facet meet somewhere.
 TEST(Corners, AreNotSoughtAmongSidesThatAllDisagree) {
   FirstSurface s(make_shape("cube"), 1000);
-  OneStageJob job;
-  ASSERT_FALSE(corner_candidates({s.points, s.facets, s.spacing, s.sensed}, job).empty());
+  ASSERT_FALSE(corners_of(s).empty());
   Random random(3);
   s.sensed = {};
   for (const Vec3 p : s.points) {
@@ -250,7 +255,7 @@ TEST(Corners, AreNotSoughtAmongSidesThatAllDisagree) {
       s.sensed.surface.push_back(tangent_plane(p, random.direction()));
   }
   s.sensed.first.push_back(static_cast<Index>(s.sensed.surface.size()));
-  EXPECT_TRUE(corner_candidates({s.points, s.facets, s.spacing, s.sensed}, job).empty());
+  EXPECT_TRUE(corners_of(s).empty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "support/random.h"
@@ -26,6 +27,21 @@ RC_GTEST_PROP(SmallSet, KnowsWhatWasInserted, ()) {
       RC_ASSERT(set.insert(i) == truth.insert(i).second);
     }
     set.clear();
+  }
+}
+
+// Values are fresh where an index is new, whatever it held before clear().
+RC_GTEST_PROP(SmallMap, KeepsWhatWasPutThere, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  SmallMap<std::uint64_t> map;
+  for (int filling = 0; filling < 3; ++filling) {
+    std::map<Index, std::uint64_t> truth;
+    for (int k = 0; k < 1000; ++k) {
+      const auto i = static_cast<Index>(random.below(300));
+      RC_ASSERT(map[i] == truth[i]);
+      map[i] = truth[i] = random.below(1000);
+    }
+    map.clear();
   }
 }
 
