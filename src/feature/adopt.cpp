@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/angle.h"
 #include "cloud/nearest.h"
 #include "feature/council.h"
 #include "feature/small_set.h"
@@ -20,19 +21,40 @@ constexpr double rounding = 1e-5;
 constexpr int most_rounds = 3;
 // As many as there are within two rings.
 constexpr std::size_t nearest_points = 19;
+// Points that must know a plane. With one, half as many false points again are added round the tip
+// of a faceted cone; with three, wedges have tunnels.
+constexpr int least_support = 2;
+// Planes that pass a sample this near, in units of spacing, are known for one; so wide that the
+// planes of one face, each fitted by itself, are the same.
+constexpr double same_plane = 0.005;
 
-// The planes at the points `near` that differ at p, nearest first.
-std::vector<LocalSurface> planes_round(const std::vector<Index>& near, Vec3 p,
-                                       const std::vector<std::vector<LocalSurface>>& surfaces) {
+struct Known {
+  LocalSurface plane;
+  int support;
+};
+
+// The planes through p that points `near` know, nearest first.
+std::vector<Known> planes_round(const std::vector<Index>& near, Vec3 p, double far,
+                                const std::vector<std::vector<LocalSurface>>& surfaces) {
   std::vector<std::pair<double, const LocalSurface*>> by_distance;
   for (Index w : near)
     for (const LocalSurface& s : surfaces[w])
-      if (s.is_plane()) by_distance.emplace_back(std::abs(s.distance(p)), &s);
+      if (s.is_plane() && std::abs(s.distance(p)) <= far)
+        by_distance.emplace_back(std::abs(s.distance(p)), &s);
   std::stable_sort(by_distance.begin(), by_distance.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<LocalSurface> distinct;
-  for (const auto& [distance, s] : by_distance) add_distinct(*s, p, distinct);
-  return distinct;
+  static const double crease = std::cos(radians(least_crease_degrees));
+  std::vector<Known> known;
+  for (const auto& [distance, s] : by_distance) {
+    const auto same = std::find_if(known.begin(), known.end(), [&](const Known& k) {
+      return dot(k.plane.normal(p), s->normal(p)) >= crease;
+    });
+    if (same == known.end())
+      known.push_back({*s, 1});
+    else
+      ++same->support;
+  }
+  return known;
 }
 
 // The points that may know v's planes: within two rings or, where the surface passes v by, the
@@ -73,12 +95,14 @@ void adopt_planes(const std::vector<Vec3>& points, const FacetMesh& mesh,
     std::vector<std::pair<Index, std::vector<LocalSurface>>> adopted;
     for (Index v = 0; v < open.size(); ++v) {
       if (!open[v] || !surfaces[v].empty()) continue;
-      std::vector<LocalSurface> planes = planes_round(near(v), points[v], surfaces);
-      const double tried = static_cast<double>(planes.size());
-      std::erase_if(planes, [&](const LocalSurface& s) {
-        const double off = std::abs(s.distance(points[v])) / spacing[v];
-        return tried * 2 * (off + rounding) > most_false_alarms;
-      });
+      const double h = spacing[v];
+      std::vector<LocalSurface> planes;
+      const auto known = planes_round(near(v), points[v], same_plane * h, surfaces);
+      for (const Known& k : known) {
+        const double off = std::abs(k.plane.distance(points[v])) / h;
+        const double alarms = static_cast<double>(known.size()) * 2 * (off + rounding);
+        if (k.support >= least_support && alarms <= most_false_alarms) planes.push_back(k.plane);
+      }
       if (!planes.empty()) adopted.emplace_back(v, std::move(planes));
     }
     if (adopted.empty()) return;
