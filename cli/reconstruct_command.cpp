@@ -125,9 +125,10 @@ void add_method_options(CLI::App& app, Options& options) {
       "Let swaps take samples off the surface, to compare with: edges are lost");
   app.add_flag_callback(
       "--no-sharpen", [&options] { options.sharpen = false; },
-      "Add no points on edges and corners that no sample lies on");
-  app.add_flag("--refine", options.refine,
-               "Add points on the smooth surface between the samples, where it is curved");
+      "Add no points: on edges and corners that no sample lies on, and in gaps on curved surface");
+  app.add_flag(
+      "--refine", options.refine,
+      "Add points on the smooth surface between all samples where it is curved, not only in gaps");
   app.add_flag_callback(
       "--drop-non-finite", [&options] { options.non_finite = NonFinite::drop; },
       "Leave out points with NaN or infinite coordinates instead of refusing them");

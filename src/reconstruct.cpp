@@ -35,7 +35,7 @@ namespace {
 struct Shares {
   double samples, outliers, noise, delaunay, seeds, background, cut, swap, features, refine, check;
 };
-constexpr Shares automatic_shares = {0.01, 0.03, 0.04, 0.07, 0.04, 0, 0.04, 0.11, 0.48, 0, 0.07};
+constexpr Shares automatic_shares = {0.01, 0.03, 0.04, 0.07, 0.04, 0, 0.04, 0.11, 0.43, 0.05, 0.07};
 constexpr Shares refine_shares = {0.01, 0.02, 0.02, 0.03, 0.02, 0, 0.01, 0.04, 0.20, 0.61, 0.04};
 constexpr Shares paper_shares = {0.01, 0, 0, 0.04, 0.02, 0.45, 0.25, 0.15, 0, 0, 0.03};
 constexpr Shares not_foreseen = {};  // of what is done once more
@@ -261,6 +261,9 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
   if (options.refine) {
     job.stage("refine", shares.refine);
     report.refine_points = refine_surface(samples, stage, labels, report, job);
+  } else if (options.sharpen) {
+    job.stage("gaps", shares.refine);
+    report.refine_points = fill_gaps(samples, stage, labels, report, job);
   }
   stage.mesh.samples = samples.points.size();
 

@@ -24,6 +24,13 @@ constexpr int most_attempts = 3;
 // Points nearer than this to a vertex left out are taken back, in units of the spacing of the
 // samples.
 constexpr double withdrawal = 2;
+// Gaps of random samples are edges longer than this, in units of spacing, if the surface stands off
+// by as much. Measured on random samples of five mechanical parts: lengths of 2, 1.75 and 1.5 take
+// 14, 20 and 26 % off the distance from the truth, at 0.4, 1 and 2.1 times the points.
+constexpr RefineWish gaps = {.shortest = 1.75, .least_sag = 0.01};
+// Fewer points than this share of the samples are not worth another cut. Evenly spread samples want
+// less than 0.045, random ones of parts that are curved all over 0.05 to 0.3.
+constexpr double least_share = 0.05;
 // In units of spacing, which is half of that of the samples at points of the first round.
 constexpr double second_sag = 0.006;
 // Swaps are sought at edges that turn by more.
@@ -131,11 +138,14 @@ void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job)
   report.swaps += swap_tetrahedra(stage.mesh, stage.model, options, labels, job).accepted;
 }
 
-// One round; returns the number of points added.
-std::size_t refine_once(const Samples& samples, const RefineWish& wish, Stage& stage,
-                        Labels& labels, Report& report, Job& job) {
-  std::vector<RefinePoint> added =
-      refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, wish, job);
+std::vector<RefinePoint> wanted_points(const RefineWish& wish, const Stage& stage,
+                                       const Labels& labels, Job& job) {
+  return refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, wish, job);
+}
+
+// Returns the number of points added.
+std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& samples, Stage& stage,
+                           Labels& labels, Report& report, Job& job) {
   const Topology wanted = topology_of(stage, labels, job);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
@@ -156,9 +166,24 @@ std::size_t refine_once(const Samples& samples, const RefineWish& wish, Stage& s
 }  // namespace
 
 std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
-                           Job& job, double shortest) {
-  std::size_t added = refine_once(samples, {.shortest = shortest}, stage, labels, report, job);
-  if (added > 0) added += refine_once(samples, {shortest, second_sag}, stage, labels, report, job);
+                           Job& job) {
+  std::size_t added = 0;
+  for (const RefineWish& wish : {RefineWish{}, RefineWish{.least_sag = second_sag}}) {
+    const std::size_t more = add_to_surface(wanted_points(wish, stage, labels, job), samples, stage,
+                                            labels, report, job);
+    if (more == 0) break;
+    added += more;
+  }
+  if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
+  return added;
+}
+
+std::size_t fill_gaps(const Samples& samples, Stage& stage, Labels& labels, Report& report,
+                      Job& job) {
+  std::vector<RefinePoint> wanted = wanted_points(gaps, stage, labels, job);
+  if (static_cast<double>(wanted.size()) < least_share * static_cast<double>(samples.points.size()))
+    return 0;
+  const std::size_t added = add_to_surface(std::move(wanted), samples, stage, labels, report, job);
   if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
   return added;
 }

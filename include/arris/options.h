@@ -47,10 +47,11 @@ struct Options {
   // area nearly all of them: the comparison of the paper's figure 6.
   bool keep_samples = true;
 
-  // Add points on edges and corners that no sample lies on. Off in the paper's method.
+  // Add points on edges and corners that no sample lies on, and on curved surface in the gaps that
+  // random samples leave. Off in the paper's method.
   bool sharpen = true;
 
-  // Add points on the smooth surface between the samples, where it is curved. Off with the paper's
+  // Add points on the smooth surface between all samples where it is curved. Off with the paper's
   // method.
   bool refine = false;
 

@@ -40,7 +40,7 @@ struct Report {
   std::uint64_t tetrahedra = 0;       // finite
   std::uint64_t free_tetrahedra = 0;  // decided by the cut, not by seeds
   std::uint64_t feature_points = 0;   // added on edges and corners that no sample lies on
-  std::uint64_t refine_points = 0;    // added on curved surface between the samples
+  std::uint64_t refine_points = 0;    // added on curved surface, in gaps or everywhere
   std::uint64_t surface_samples = 0;  // samples that are vertices of the mesh
   Vec3 shift;                         // local frame = (user - shift) * scale, exactly
   double scale = 1;

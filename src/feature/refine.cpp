@@ -85,6 +85,8 @@ class Refiner {
 
   bool is_feature(Index e) const { return is_feature_[e] != 0; }
 
+  bool is_short(Index e) const { return edges_.edges[e].length < wish_.shortest * mean_spacing(e); }
+
   // The normals at the ends say that the arc over the edge is far lower than a sag that counts.
   // They say nothing at features.
   bool is_straight(Index e) const {
@@ -141,8 +143,6 @@ class Refiner {
       if (is_feature_[e])
         for (Index v : edges_.edges[e].ends) vertex_normals_[v] = Vec3{};
   }
-
-  bool is_short(Index e) const { return edges_.edges[e].length < wish_.shortest * mean_spacing(e); }
 
   // False if no smooth arc rises as far.
   bool raise(Vec3 by, Index e, Lift& lift) const {
@@ -293,6 +293,7 @@ void complete_facets(const MeshEdges& edges, const Refiner& refiner, Lifts& lift
 // takes back the points that enter the balls of the halves.
 void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& refiner,
                       Lifts& lifts) {
+  Members members;
   std::vector<Vec3> smooth;
   std::vector<Index> edge_of;
   for (Index e = 0; e < lifts.size(); ++e)
@@ -304,10 +305,14 @@ void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& r
   const NearestSample nearest(smooth);
   std::vector<NearestSample::Hit> hits;
   for (Index e = 0; e < lifts.size(); ++e) {
-    if (!lifts[e] || !refiner.is_feature(e)) continue;
-    Lift& lift = *lifts[e];
+    if (!refiner.is_feature(e)) continue;
     const MeshEdge& edge = edges.edges[e];
-    lift.wanted = lift.wanted || nearest(lift.point.foot).distance < edge.length / 2;
+    const Vec3 middle = 0.5 * (mesh.vertices[edge.ends[0]] + mesh.vertices[edge.ends[1]]);
+    const bool is_entered = nearest(middle).distance < edge.length / 2;
+    if (is_entered && !lifts[e]) lifts[e] = refiner.lift(e, members);
+    if (!lifts[e]) continue;
+    Lift& lift = *lifts[e];
+    lift.wanted = lift.wanted || is_entered;
     if (!lift.wanted) continue;
     for (Index end : edge.ends) {
       const Vec3 a = lift.point.position, b = mesh.vertices[end];
@@ -328,7 +333,7 @@ std::vector<RefinePoint> refine_points(const Mesh& mesh, const std::vector<doubl
   Lifts lifts(edges.edges.size());
   std::vector<Index> curved;
   for (Index e = 0; e < lifts.size(); ++e)
-    if (!refiner.is_straight(e)) curved.push_back(e);
+    if (!refiner.is_short(e) && !refiner.is_straight(e)) curved.push_back(e);
   lift_edges(refiner, curved, lifts, job);
   job.tick(1);
   complete_facets(edges, refiner, lifts, job);

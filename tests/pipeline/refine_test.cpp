@@ -122,17 +122,41 @@ TEST(Refine, AddedPointsLieOnTheSmoothSurface) {
   }
 }
 
-// One round quarters the chord error at best.
-TEST(Refine, LongEdgesAreHalvedTwice) {
+PointCloud random_sphere(int n) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> coordinate;
   PointCloud cloud;
-  for (int k = 0; k < 1500; ++k)
+  for (int k = 0; k < n; ++k)
     cloud.positions.push_back(
         onto_sphere({coordinate(random), coordinate(random), coordinate(random)}));
+  return cloud;
+}
+
+// One round quarters the chord error at best.
+TEST(Refine, LongEdgesAreHalvedTwice) {
+  const PointCloud cloud = random_sphere(1500);
   const Reconstruction plain = run(cloud, false), fine = run(cloud);
   EXPECT_EQ(fine.report.certificate.euler, 2);
   EXPECT_LT(mean_off_of_middles(sphere, fine.mesh), 0.15 * mean_off_of_middles(sphere, plain.mesh));
+}
+
+// By default points are added only where random samples leave gaps: fewer, but where the chords err
+// most. Measured: 299 points for 1500 samples, chord error down to 0.75 of
+// what it was.
+TEST(Refine, GapsOfRandomSamplesAreFilledByDefault) {
+  const PointCloud cloud = random_sphere(1500);
+  Options without;
+  without.sharpen = false;
+  const Result<Reconstruction> chords = reconstruct(cloud, without);
+  ASSERT_TRUE(chords) << said(chords);
+  const Reconstruction filled = run(cloud, false);
+  EXPECT_EQ(chords->report.refine_points, 0u);
+  EXPECT_GT(filled.report.refine_points, 200u);
+  EXPECT_LT(filled.report.refine_points, 500u);
+  EXPECT_EQ(filled.report.certificate.euler, 2);
+  EXPECT_LT(mean_off_of_middles(sphere, filled.mesh),
+            0.85 * mean_off_of_middles(sphere, chords->mesh));
+  EXPECT_EQ(run(sphere.cloud(1500), false).report.refine_points, 0u) << "evenly spread";
 }
 
 TEST(Refine, PlanesTakeNoPoint) {
