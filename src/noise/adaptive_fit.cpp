@@ -240,6 +240,7 @@ std::vector<PatchFit> fit_patches(const std::vector<Vec3>& points, const Nearest
                                   const std::vector<double>& level, Job& job) {
   std::vector<PatchFit> fits((points.size() + patch_stride - 1) / patch_stride);
   parallel_chunks(fits.size(), 128, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     std::vector<NearestSample::Hit> hits;
     for (std::size_t k = begin; k < end; ++k) {
       const std::size_t i = k * patch_stride;

@@ -213,12 +213,14 @@ std::vector<double> estimate_noise(const std::vector<Vec3>& points, const Neares
   std::vector<DeviationCurve> pooled(sites.size());
   std::vector<Verdict> verdicts(sites.size());
   parallel_chunks(sites.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     std::vector<NearestSample::Hit> hits;
     for (std::size_t i = begin; i < end; ++i) {
       pooled[i] = sites.pooled(i, hits);
       verdicts[i] = judge(pooled[i]);
     }
   });
+  job.tick(0.2);
   if (!is_noisy(verdicts, pooled)) return result;
 
   std::vector<double> levels, accepted;

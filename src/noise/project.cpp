@@ -171,6 +171,7 @@ Projection project_samples(const std::vector<Vec3>& points, const std::vector<do
   for (std::size_t i = 0; i < points.size(); i += patch_stride) middles.push_back(points[i]);
   const NearestSample tree(middles);
   parallel_chunks(points.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     std::vector<NearestSample::Hit> hits;
     std::vector<Candidate> candidates;
     for (std::size_t i = begin; i < end; ++i) {
@@ -183,6 +184,7 @@ Projection project_samples(const std::vector<Vec3>& points, const std::vector<do
       result.backing[i] = landing.weight;
     }
   });
+  job.tick(1);
   return result;
 }
 

@@ -143,12 +143,14 @@ void Sites::find_near(Vec3 p, std::size_t count, std::vector<NearestSample::Hit>
 
 void Sites::measure(const std::vector<Index>& which, Job& job) {
   parallel_chunks(which.size(), 256, job.threads(), [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     for (std::size_t k = begin; k < end; ++k) {
       if (measured_[which[k]]) continue;
       curves_[which[k]] = measure_curve(points_, tree_, at_[which[k]]);
       measured_[which[k]] = 1;
     }
   });
+  job.tick(0);
 }
 
 DeviationCurve Sites::pooled(std::size_t i, std::vector<NearestSample::Hit>& hits) const {
