@@ -4,7 +4,7 @@
 set -eu
 
 build="g++ cmake ninja-build make libcgal-dev libgmp-dev libmpfr-dev libboost-dev
-  nlohmann-json3-dev libeigen3-dev libcli11-dev libembree-dev libpng-dev"
+  nlohmann-json3-dev libnanoflann-dev libeigen3-dev libcli11-dev libembree-dev libpng-dev"
 tests="libgtest-dev librapidcheck-dev"
 checks="clang libclang-rt-14-dev clang-format clang-tidy"
 

@@ -8,7 +8,6 @@
 
 #include "base/failure.h"
 #include "base/vec.h"
-#include "cloud/morton.h"
 
 namespace arris {
 namespace {
@@ -69,15 +68,32 @@ LocalFrame choose_frame(const std::vector<Vec3>& positions, const std::vector<In
   return frame;
 }
 
-// A sample on its way into canonical order: along a Morton curve (the local frame keeps coordinates
-// within [-1, 1], within [-8, 8] at the end of the exponent range, where it is only less local), so
-// that neighbours in space are neighbours in memory, and lexicographically within a cell of the
-// curve.
+// A sample on its way into canonical order: along a Morton curve, so that neighbours in space are
+// neighbours in memory, and lexicographically within a cell of the curve.
 struct Entry {
   std::uint64_t key;
   Vec3 local;
   Index source;
 };
+
+// Spreads the low 21 bits of x to every third bit.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x = (x | x << 32) & 0x001F00000000FFFF;
+  x = (x | x << 16) & 0x001F0000FF0000FF;
+  x = (x | x << 8) & 0x100F00F00F00F00F;
+  x = (x | x << 4) & 0x10C30C30C30C30C3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+// The local frame keeps coordinates within [-1, 1]: 21 bits an axis. (Within [-8, 8] at the end of
+// the exponent range, where the curve is only less local.)
+std::uint64_t morton_key(Vec3 local) {
+  const auto cell = [](double c) {
+    return static_cast<std::uint64_t>(std::clamp((c + 1) * 0x1p20, 0.0, 0x1p21 - 1));
+  };
+  return spread_bits(cell(local.x)) | spread_bits(cell(local.y)) << 1 |
+         spread_bits(cell(local.z)) << 2;
+}
 
 bool along_curve(const Entry& a, const Entry& b) {
   if (a.key != b.key) return a.key < b.key;

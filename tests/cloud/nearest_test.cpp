@@ -65,19 +65,20 @@ RC_GTEST_PROP(NearestSample, FindsTheNearestFewInOrder, (std::uint64_t seed)) {
   nearest.nearest(query, k, hits);
   RC_ASSERT(hits.size() == std::min(k, n));
   for (std::size_t j = 0; j < hits.size(); ++j) {
-    RC_ASSERT(hits[j].index == expected[j].index);
-    RC_ASSERT(hits[j].distance == expected[j].distance);
+    RC_ASSERT(hits[j].distance == expected[j].distance);  // of equally far ones any may be last
+    RC_ASSERT(distance(query, points[hits[j].index]) == hits[j].distance);
+    RC_ASSERT(j == 0 || hits[j - 1].distance < hits[j].distance ||
+              hits[j - 1].index < hits[j].index);
   }
 }
 
-// Duplicates, and many points in one cell of the Morton curve.
-TEST(NearestSample, PointsInOneCellAreFound) {
+TEST(NearestSample, DuplicatesAndDensePlacesAreFound) {
   test::Random random(5);
   std::vector<Vec3> points(5000, Vec3{0.25, 0.25, 0.25});
   for (std::size_t i = 1000; i < points.size(); ++i)
     points[i] = 1e-8 * Vec3{random.unit(), random.unit(), random.unit()};
   const NearestSample nearest(points);
-  EXPECT_EQ(nearest({1, 1, 1}).index, 0u);
+  EXPECT_LT(nearest({1, 1, 1}).index, 1000u);
   for (int k = 0; k < 100; ++k) {
     const Vec3 query = 1e-8 * Vec3{random.unit(), random.unit(), random.unit()};
     EXPECT_EQ(nearest(query).distance, brute_force(points, query));
