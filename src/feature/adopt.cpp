@@ -45,12 +45,13 @@ std::vector<Known> planes_round(const std::vector<Index>& near, Vec3 p, double f
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   static const double crease = std::cos(radians(least_crease_degrees));
   std::vector<Known> known;
-  for (const auto& [distance, s] : by_distance) {
+  for (const auto& [distance, surface] : by_distance) {
+    const Vec3 n = surface->normal(p);
     const auto same = std::find_if(known.begin(), known.end(), [&](const Known& k) {
-      return dot(k.plane.normal(p), s->normal(p)) >= crease;
+      return dot(k.plane.normal(p), n) >= crease;
     });
     if (same == known.end())
-      known.push_back({*s, 1});
+      known.push_back({*surface, 1});
     else
       ++same->support;
   }
