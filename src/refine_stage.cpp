@@ -138,6 +138,25 @@ void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job)
   report.swaps += swap_tetrahedra(stage.mesh, stage.model, options, labels, job).accepted;
 }
 
+// About how many sides span gaps of curved surface, by the normals at their ends. It is enough to
+// see that evenly spread samples leave none, and asks for no edges and no features.
+std::size_t count_gaps(const Mesh& surface, const std::vector<double>& spacing) {
+  const std::vector<Vec3>& x = surface.vertices;
+  std::vector<Vec3> normal(x.size());
+  for (const Triangle& t : surface.triangles)
+    for (Index v : t) normal[v] = normal[v] + cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+  for (Vec3& n : normal)
+    if (const double l = length(n); l > 0) n = (1 / l) * n;
+  std::size_t sides = 0;  // each of both of its facets
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index a = t[i], b = t[(i + 1) % 3];
+      const double h = (spacing[a] + spacing[b]) / 2, sag = dot(normal[b] - normal[a], x[b] - x[a]);
+      sides += distance(x[a], x[b]) >= gaps.shortest * h && std::abs(sag) / 8 >= gaps.least_sag * h;
+    }
+  return sides / 2;
+}
+
 std::vector<RefinePoint> wanted_points(const RefineWish& wish, const Stage& stage,
                                        const Labels& labels, Job& job) {
   return refine_points(surface_of(stage, labels), stage.model.spacing, stage.roughness, wish, job);
@@ -180,9 +199,11 @@ std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels,
 
 std::size_t fill_gaps(const Samples& samples, Stage& stage, Labels& labels, Report& report,
                       Job& job) {
+  const auto least =
+      static_cast<std::size_t>(least_share * static_cast<double>(samples.points.size()));
+  if (2 * count_gaps(surface_of(stage, labels), stage.model.spacing) < least) return 0;
   std::vector<RefinePoint> wanted = wanted_points(gaps, stage, labels, job);
-  if (static_cast<double>(wanted.size()) < least_share * static_cast<double>(samples.points.size()))
-    return 0;
+  if (wanted.size() < least) return 0;
   const std::size_t added = add_to_surface(std::move(wanted), samples, stage, labels, report, job);
   if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
   return added;
