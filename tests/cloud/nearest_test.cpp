@@ -67,8 +67,10 @@ RC_GTEST_PROP(NearestSample, FindsTheNearestFewInOrder, (std::uint64_t seed)) {
   for (std::size_t j = 0; j < hits.size(); ++j) {
     RC_ASSERT(hits[j].distance == expected[j].distance);  // of equally far ones any may be last
     RC_ASSERT(distance(query, points[hits[j].index]) == hits[j].distance);
-    RC_ASSERT(j == 0 || hits[j - 1].distance < hits[j].distance ||
-              hits[j - 1].index < hits[j].index);
+    if (j == 0) continue;
+    const bool in_order =
+        hits[j - 1].distance < hits[j].distance || hits[j - 1].index < hits[j].index;
+    RC_ASSERT(in_order);
   }
 }
 
