@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/angle.h"
 #include "cloud/nearest.h"
 #include "feature/council.h"
 #include "feature/small_set.h"
@@ -43,13 +42,11 @@ std::vector<Known> planes_round(const std::vector<Index>& near, Vec3 p, double f
         by_distance.emplace_back(std::abs(s.distance(p)), &s);
   std::stable_sort(by_distance.begin(), by_distance.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  static const double crease = std::cos(radians(least_crease_degrees));
   std::vector<Known> known;
   for (const auto& [distance, surface] : by_distance) {
     const Vec3 n = surface->normal(p);
-    const auto same = std::find_if(known.begin(), known.end(), [&](const Known& k) {
-      return dot(k.plane.normal(p), n) >= crease;
-    });
+    const auto same = std::find_if(known.begin(), known.end(),
+                                   [&](const Known& k) { return is_same_side(k.plane, n, p); });
     if (same == known.end())
       known.push_back({*surface, 1});
     else

@@ -14,15 +14,15 @@ constexpr int least_support = 3;
 // tip of a cone.
 constexpr std::size_t most_near = 4 * most_round;
 
-bool is_same_side(const LocalSurface& s, Vec3 normal, Vec3 p) {
-  static const double crease = std::cos(radians(least_crease_degrees));
-  return s.has_direction(p, normal, crease);
-}
-
 }  // namespace
 
 const Council::Agreement Council::tight = {on_surface, radians(2)};
 const Council::Agreement Council::loose = {0.05, radians(8)};
+
+bool is_same_side(const LocalSurface& s, Vec3 normal, Vec3 p) {
+  static const double crease = std::cos(radians(least_crease_degrees));
+  return s.has_direction(p, normal, crease);
+}
 
 void add_distinct(const LocalSurface& s, Vec3 p, std::vector<LocalSurface>& sides) {
   const Vec3 n = s.normal(p);

@@ -17,6 +17,9 @@ inline double on_surface_distance(double spacing, double roughness) {
   return on_surface * spacing + 2 * roughness;
 }
 
+// Whether s is on the side that has this normal at p.
+bool is_same_side(const LocalSurface& s, Vec3 normal, Vec3 p);
+
 // Appends s to the sides at p unless one of them has nearly its direction there.
 void add_distinct(const LocalSurface& s, Vec3 p, std::vector<LocalSurface>& sides);
 

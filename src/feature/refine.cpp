@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "base/distinct.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
@@ -279,8 +280,7 @@ void complete_facets(const MeshEdges& edges, const Refiner& refiner, Lifts& lift
     if (std::count_if(sides.begin(), sides.end(), wanted) != 2) continue;
     third.push_back(*std::find_if_not(sides.begin(), sides.end(), wanted));
   }
-  std::sort(third.begin(), third.end());
-  third.erase(std::unique(third.begin(), third.end()), third.end());
+  keep_distinct(third);
   std::vector<Index> missing;
   std::copy_if(third.begin(), third.end(), std::back_inserter(missing),
                [&](Index e) { return !lifts[e] && refiner.is_straight(e); });
