@@ -193,7 +193,6 @@ class Refiner {
   }
 
   // The points of the facets nearest to `middle`, from the seeds on and across no feature.
-  // The points of the facets nearest to `middle`, from the seeds on and across no feature.
   void gather(std::span<const Index> seeds, Vec3 middle, Vec3 n, double radius,
               Members& members) const {
     auto& frontier = members.frontier;
