@@ -88,7 +88,7 @@ double crowded_below(const Near& near) {
 struct Thickness {
   int crowded, enclosed;
 };
-inline constexpr Thickness midst = {5, 4}, border = {3, 2};
+inline constexpr Thickness midst = {5, 5}, border = {3, 2};
 inline constexpr int midst_of_patch = 2;
 
 template <class Is>

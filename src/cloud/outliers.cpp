@@ -75,7 +75,6 @@ void clear_thickets(Neighbours& near, Job& job) {
   const auto n = static_cast<std::size_t>(std::count(thicket.begin(), thicket.end(), 1));
   if (n == 0 || near.left() - n < fewest_left(near)) return;
   near.remove(thicket, job);
-  Peeling(near).run(job);
 }
 
 }  // namespace
@@ -84,8 +83,8 @@ std::vector<std::uint8_t> find_outliers(const std::vector<Vec3>& points, Job& jo
   if (points.size() < smallest_cloud) return std::vector<std::uint8_t>(points.size(), 0);
   if (has_no_outliers(points, job)) return std::vector<std::uint8_t>(points.size(), 0);
   Neighbours near(points, job);
-  Peeling(near).run(job);
   clear_thickets(near, job);
+  Peeling(near).run(job);
   std::vector<std::uint8_t> outlier = find_clumps(near);
   for (Index p = 0; p < points.size(); ++p) outlier[p] |= near.gone(p);
   return outlier;
