@@ -1,5 +1,8 @@
 #include "cloud/thickets.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/parallel.h"
 #include "cloud/filling.h"
 
@@ -29,7 +32,7 @@ class Thickets {
       }
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (Index q : near_.of(reached[k]))
-        if (!found[q] && is_at_border(q)) {
+        if (!found[q] && (is_at_border(q) || is_surrounded(q, found))) {
           found[q] = 1;
           reached.push_back(q);
         }
@@ -50,6 +53,14 @@ class Thickets {
     return count_round(p, near_.of(p), crowded()) >= border.crowded &&
            count_round(p, near_.of(p), enclosed()) >= border.enclosed;
   }
+  // Most of its company belongs to the clump: one of its outermost points, which are sparse.
+  bool is_surrounded(Index p, const std::vector<std::uint8_t>& found) const {
+    const auto& company = near_.of(p);
+    return 2 * std::count_if(company.begin(), company.end(),
+                             [&](Index q) { return found[q] != 0; }) >
+           std::ssize(company);
+  }
+
   const Neighbours& near_;
   std::vector<std::uint8_t> crowded_, enclosed_;
 };
