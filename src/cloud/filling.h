@@ -60,10 +60,10 @@ inline constexpr double crowded_quantile = 0.01, least_flat = 1.0 / 3;
 
 // Points are crowded below this evenness, which the model itself teaches: chance puts many points
 // of a clump so close together, whatever its density, if the model is spread evenly; if the model
-// is spread at random, none. Looks at some 50,000 points at most.
+// is spread at random, none. Looks at no more than 16,000 points.
 template <class Near>
 double crowded_below(const Near& near) {
-  constexpr std::size_t enough = 50'000;
+  constexpr std::size_t enough = 16'000;
   const std::size_t step = 1 + near.size() / enough;
   std::vector<double> of_surface;
   std::size_t seen = 0;
