@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/vec.h"
+#include "cloud/filling.h"
 
 namespace arris {
 namespace {
@@ -29,8 +30,9 @@ constexpr double filling_flatness = 0.3, filling_enclosed = 0.2;
 // With fewer points a solid fills as much of its space as a clump does: it gets the benefit.
 constexpr std::size_t smallest_clump = 40;
 
-// The free side of a point: a ball of this many reaches that touches it and holds no neighbour.
-constexpr double free_ball = 1;
+// Nor need it fill space if more of its points than this share are crowded, where one in a hundred
+// of the model is: small solids have at most 0.10, clumps at least 0.17.
+constexpr double crowded_share = 0.15, crowded_flatness = 0.2;
 
 class Groups {
  public:
@@ -77,49 +79,34 @@ class Groups {
   std::vector<Index> up_;
 };
 
-// Whether some ball that touches p, on either side of its patch or away from its neighbours, holds
-// none of them: a point of a surface has such a side, one within a clump has not.
-bool has_free_side(const Neighbours& near, Index p, Vec3 normal) {
-  Vec3 towards;
-  for (std::size_t j = 0; j < Neighbours::patch; ++j) {
-    towards = towards + normalized(near.point(near.of(p)[j]) - near.point(p));
-  }
-  const double l = length(towards), r = free_ball * near.reach(p);
-  if (l > 0) towards = 1 / l * towards;
-  for (Vec3 side : {normal, -normal, towards, -towards}) {
-    const Vec3 centre = near.point(p) + r * side;
-    // A hair less than r: p's own rounding, and neighbours in the plane, do not count as within.
-    if (std::all_of(near.of(p).begin(), near.of(p).end(),
-                    [&](Index q) { return distance(centre, near.point(q)) >= 0.999 * r; }))
-      return true;
-  }
-  return false;
-}
-
 // What tells a clump from a part of the model.
 struct Character {
   double reach = 0;  // mean
   bool fills_space = false;
+  bool is_crowded = false;
 };
 
-Character character(const Neighbours& near, const std::vector<Index>& group) {
-  double reach = 0, flat = 0, enclosed = 0;
+Character character(const Neighbours& near, const std::vector<Index>& group, double limit) {
+  double reach = 0, flat = 0, enclosed = 0, crowded = 0;
   for (Index p : group) {
     const Flatness f = near.flatness_at(p);
     reach += near.reach(p);
     flat += f.middle > 0 ? f.least / f.middle : 0;
     enclosed += has_free_side(near, p, f.normal) ? 0 : 1;
+    crowded += evenness(near, p) < limit ? 1 : 0;
   }
   const auto n = static_cast<double>(group.size());
-  return {reach / n, flat > filling_flatness * n && enclosed > filling_enclosed * n};
+  return {reach / n, flat > filling_flatness * n && enclosed > filling_enclosed * n,
+          flat > crowded_flatness * n && crowded > crowded_share * n};
 }
 
 bool is_clump(const Neighbours& near, const std::vector<Index>& group, std::size_t model_size,
-              const Character& model) {
+              const Character& model, double limit) {
   if (group.size() < fewest) return group.size() * minor_solid <= model_size;
-  const Character c = character(near, group);
+  const Character c = character(near, group, limit);
   const bool thinner = c.reach > thin * model.reach;
   if (thinner && group.size() < thin_count) return true;
+  if (c.is_crowded) return true;
   return group.size() >= smallest_clump && c.fills_space && (thinner || !model.fills_space);
 }
 
@@ -134,10 +121,11 @@ std::vector<std::uint8_t> find_clumps(const Neighbours& neighbours) {
   std::vector<std::uint8_t> clump(neighbours.size(), 0);
   const std::vector<std::vector<Index>> groups = Groups(neighbours).members();
   if (groups.size() < 2) return clump;
-  const Character model = character(neighbours, groups[0]);
+  const double limit = crowded_below(neighbours);
+  const Character model = character(neighbours, groups[0], limit);
   for (std::size_t g = 1; g < groups.size(); ++g) {
     if (groups[g].size() * minor > groups[0].size()) continue;
-    if (!is_clump(neighbours, groups[g], groups[0].size(), model)) continue;
+    if (!is_clump(neighbours, groups[g], groups[0].size(), model, limit)) continue;
     for (Index p : groups[g]) clump[p] = 1;
   }
   return clump;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/job.h"
+#include "base/vec.h"
 #include "cloud/flatness.h"
 
 namespace arris {
@@ -26,7 +27,11 @@ class Neighbours {
 
   // Those of p that are left, nearest first, without p.
   const std::array<Index, count>& of(Index p) const noexcept { return of_[p]; }
+  std::span<const Index> nearest(Index p) const noexcept {
+    return std::span<const Index>(of_[p]).first<patch>();
+  }
   double reach(Index p) const noexcept { return reach_[p]; }
+  double nearest_distance(Index p) const { return distance(points_[p], points_[of_[p].front()]); }
   bool gone(Index p) const noexcept { return gone_[p] != 0; }
   Vec3 point(Index p) const noexcept { return points_[p]; }
   std::size_t size() const noexcept { return points_.size(); }

@@ -9,6 +9,7 @@
 #include "cloud/neighbours.h"
 #include "cloud/quick_look.h"
 #include "cloud/stray.h"
+#include "cloud/thickets.h"
 
 namespace arris {
 namespace {
@@ -22,6 +23,10 @@ constexpr double growth = 1.05;
 // If more than this share are strays there is no surface to tell them from.
 constexpr double most_outliers = 0.5;
 
+std::size_t fewest_left(const Neighbours& near) {
+  return static_cast<std::size_t>((1 - most_outliers) * static_cast<double>(near.size()));
+}
+
 // Takes away the strays that have surface for company, round after round, until there are none.
 class Peeling {
  public:
@@ -31,8 +36,7 @@ class Peeling {
         stray_(near.size(), 0) {}
 
   void run(Job& job) {
-    const auto fewest =
-        static_cast<std::size_t>((1 - most_outliers) * static_cast<double>(near_.size()));
+    const std::size_t fewest = fewest_left(near_);
     for (;;) {
       parallel_for(near_.size(), job.threads(), [&](std::size_t i) {
         const auto p = static_cast<Index>(i);
@@ -65,12 +69,21 @@ class Peeling {
   std::vector<std::uint8_t> stray_;
 };
 
+// What is left of a clump is thin, and strays.
+void clear_thickets(Neighbours& near, Job& job) {
+  const std::vector<std::uint8_t> thicket = find_thickets(near, job);
+  const auto n = static_cast<std::size_t>(std::count(thicket.begin(), thicket.end(), 1));
+  if (n == 0 || near.left() - n < fewest_left(near)) return;
+  near.remove(thicket, job);
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> find_outliers(const std::vector<Vec3>& points, Job& job) {
   if (points.size() < smallest_cloud) return std::vector<std::uint8_t>(points.size(), 0);
   if (has_no_outliers(points, job)) return std::vector<std::uint8_t>(points.size(), 0);
   Neighbours near(points, job);
+  clear_thickets(near, job);
   Peeling(near).run(job);
   std::vector<std::uint8_t> outlier = find_clumps(near);
   for (Index p = 0; p < points.size(); ++p) outlier[p] |= near.gone(p);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/vec.h"
 #include "cloud/clumps.h"
+#include "cloud/filling.h"
 #include "cloud/nearest.h"
 #include "cloud/neighbours.h"
 #include "cloud/stray.h"
@@ -21,7 +22,7 @@ constexpr std::size_t grain = 4096;
 class Company {
  public:
   static constexpr std::size_t half = company_rank;
-  static_assert(half >= Neighbours::rank);
+  static_assert(half >= Neighbours::rank && half >= Neighbours::patch);
 
   Company(const std::vector<Vec3>& points, Job& job)
       : points_(points), tree_(points), nearest_(points.size()), reach_(points.size()) {
@@ -39,6 +40,10 @@ class Company {
   Vec3 point(Index p) const { return points_[p]; }
   double reach(Index p) const { return reach_[p]; }
   const std::array<Index, half>& nearest(Index p) const { return nearest_[p]; }
+  double nearest_distance(Index p) const {
+    return distance(points_[p], points_[nearest_[p].front()]);
+  }
+  bool gone(Index) const { return false; }
   std::array<Index, Neighbours::count> of(Index p) const {
     std::array<Index, Neighbours::count> company;
     std::vector<NearestSample::Hit> hits;
@@ -46,6 +51,7 @@ class Company {
     for (std::size_t j = 0; j < company.size(); ++j) company[j] = hits[j + 1].index;
     return company;
   }
+  Flatness flatness_at(Index p) const { return flatness_round(points_, p, nearest_[p], no_index); }
   Flatness flatness_at(Index p, Index without) const {
     return flatness_round(points_, p, of(p), without);
   }
@@ -71,6 +77,18 @@ bool has_no_strays(const Company& company, Job& job) {
   parallel_chunks(company.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end && none; ++p)
       if (!is_surely_no_stray(company, static_cast<Index>(p))) none = false;
+  });
+  return none;
+}
+
+bool has_no_thickets(const Company& company, Job& job) {
+  const double limit = crowded_below(company);
+  const auto crowded = [&](Index q) { return evenness(company, q) < limit; };
+  const auto enclosed = [&](Index q) { return is_enclosed(company, q); };
+  std::atomic<bool> none = true;
+  parallel_chunks(company.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end && none; ++p)
+      if (is_in_midst(company, static_cast<Index>(p), crowded, enclosed)) none = false;
   });
   return none;
 }
@@ -102,7 +120,7 @@ bool is_one_group(const Company& company) {
 
 bool has_no_outliers(const std::vector<Vec3>& points, Job& job) {
   const Company company(points, job);
-  return has_no_strays(company, job) && is_one_group(company);
+  return has_no_strays(company, job) && has_no_thickets(company, job) && is_one_group(company);
 }
 
 }  // namespace arris

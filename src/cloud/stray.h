@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "base/vec.h"
 #include "cloud/neighbours.h"
@@ -15,7 +16,8 @@ namespace arris {
 // (blue noise), 1.9 (graded ten to one), 2.3 (uniformly random), 2.0 (scans).
 inline constexpr double sparse_ratio = 2;
 
-// Beyond this ratio a point is a stray wherever it lies.
+// Beyond this ratio a point is a stray even where it continues the surface, unless at neighbours
+// that are as thin.
 inline constexpr double far_ratio = 4;
 
 // A point continues the surface at a neighbour if the neighbour's patch is flat (variances) and its
@@ -35,21 +37,37 @@ double reach_of_company(const Near& near, Index p) {
 }
 
 template <class Near>
+bool continues_surface_at(const Near& near, Index q, Index p) {
+  const Vec3 d = near.point(p) - near.point(q);
+  const Flatness f = near.flatness_at(q, p);
+  return f.least <= flat_enough * f.middle &&
+         std::abs(dot(d, f.normal)) <= in_plane_sine * length(d);
+}
+
+template <class Near>
 bool continues_surface(const Near& near, Index p) {
   const auto& company = near.of(p);
-  return std::any_of(company.begin(), company.end(), [&](Index q) {
-    const Vec3 d = near.point(p) - near.point(q);
-    const Flatness f = near.flatness_at(q, p);
-    return f.least <= flat_enough * f.middle &&
-           std::abs(dot(d, f.normal)) <= in_plane_sine * length(d);
-  });
+  return std::any_of(company.begin(), company.end(),
+                     [&](Index q) { return continues_surface_at(near, q, p); });
+}
+
+// A point is a sample, however dense its company is, if it continues the surface at so many
+// neighbours that are as thin as it: a dense clump beside a surface makes no stray of that.
+inline constexpr std::ptrdiff_t enough_alike = 4;
+template <class Near>
+bool has_thin_surface(const Near& near, Index p) {
+  const auto& company = near.of(p);
+  return std::count_if(company.begin(), company.end(), [&](Index q) {
+           return near.reach(q) * sparse_ratio >= near.reach(p) && continues_surface_at(near, q, p);
+         }) >= enough_alike;
 }
 
 // `expected`: the reach that its company leads one to expect.
 template <class Near>
 bool is_stray(const Near& near, Index p, double expected) {
   const double ratio = near.reach(p) / expected;
-  return ratio > sparse_ratio && (ratio > far_ratio || !continues_surface(near, p));
+  if (ratio <= sparse_ratio) return false;
+  return ratio > far_ratio ? !has_thin_surface(near, p) : !continues_surface(near, p);
 }
 
 }  // namespace arris

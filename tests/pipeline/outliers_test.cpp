@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <set>
 #include <string>
 
+#include "base/vec.h"
 #include "pipeline/clouds.h"
+#include "support/measure.h"
+#include "support/random.h"
 
 namespace arris {
 namespace {
@@ -77,6 +81,50 @@ TEST(OutlierPipeline, ThePaperDropsThemIfAsked) {
   EXPECT_GT(removed(r->report), 30u);
   expect_topology(*r, cube().facts);
   EXPECT_EQ(r->report.cut_energy.size(), 3u);
+}
+
+// Eight clumps: apart, inside, and across the surface.
+TEST(OutlierPipeline, TheSurfaceIgnoresClumps) {
+  for (const char* name : {"cube", "two_cubes", "sphere", "cylinder"}) {
+    SCOPED_TRACE(name);
+    const Shape shape = make_shape(name);
+    constexpr std::size_t n = 4000;
+    std::vector<Vec3> points = sample_blue(shape.mesh, n, 1);
+    const double h = ideal_spacing(area(shape.mesh), n);
+    Random random(7);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Vec3 away = random.direction();
+      const Vec3 centre = points[random.below(n)] + (k % 2 == 0 ? 8 * h : 0) * away;
+      const double radius = h * random.between(0.5, 4);
+      for (std::size_t count = 20 + random.below(120); count > 0; --count)
+        points.push_back(centre + radius * std::cbrt(random.unit()) * random.direction());
+    }
+    const Result<Reconstruction> r = reconstruct(cloud_of(std::move(points)));
+    ASSERT_TRUE(r) << said(r);
+    expect_topology(*r, shape.facts);
+    EXPECT_NEAR(r->report.certificate.volume / shape.facts.volume, 1, 0.02);
+    EXPECT_EQ(r->report.samples + removed(r->report), r->report.input_points);
+  }
+}
+
+TEST(OutlierPipeline, SmallPartsStay) {
+  const Shape big = make_shape("cube");
+  std::vector<Vec3> points = sample_blue(big.mesh, 4000, 1);
+  const double h = ideal_spacing(area(big.mesh), 4000);
+  std::int64_t parts = 0;
+  for (const char* name : {"sphere", "cube", "octahedron"})
+    for (const std::size_t n : {40u, 120u}) {
+      const Mesh mesh = make_shape(name).mesh;
+      const Mesh part = moved(mesh, n, h / ideal_spacing(area(mesh), n),
+                              {1.5 + 0.3 * static_cast<double>(parts++), 0.5, 0.5});
+      const std::vector<Vec3> samples = sample_blue(part, n, 2);
+      points.insert(points.end(), samples.begin(), samples.end());
+    }
+  const Result<Reconstruction> r = reconstruct(cloud_of(std::move(points)));
+  ASSERT_TRUE(r) << said(r);
+  EXPECT_EQ(r->report.stray_outliers, 0u);
+  EXPECT_EQ(static_cast<std::int64_t>(r->report.certificate.components), 1 + parts);
+  EXPECT_EQ(r->report.certificate.euler, 2 * (1 + parts));
 }
 
 // Off the surface in the mesh, and every other vertex an input point with its attributes.
