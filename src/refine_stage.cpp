@@ -50,8 +50,8 @@ Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
   return {topology.components, topology.euler};
 }
 
-// The stage with the added points among its own.
-Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& frame,
+// The stage with the added points among its own. `stage` lends its memory meanwhile (add_points).
+Stage with_points(Stage& stage, const Labels& labels, const LocalFrame& frame,
                   const std::vector<RefinePoint>& added, Job& job) {
   Stage next;
   next.model = stage.model;
@@ -172,6 +172,7 @@ std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& sample
     SurfaceCut cut = cut_manifold(next, {}, trial, job);
     trial.cut_energy.push_back(cut.energy);
     if (topology_of(next, cut.labels, job) == wanted) {
+      next.stars = {};
       stage = std::move(next);
       labels = std::move(cut.labels);
       report = std::move(trial);

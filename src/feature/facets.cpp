@@ -46,11 +46,9 @@ FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& p
     : facets(std::move(triangles)), stars(points.size(), facets) {
   neighbours.resize(facets.size());
   normal.resize(facets.size());
-  middle.resize(facets.size());
   parallel_for(facets.size(), threads, [&](std::size_t f) {
     const Triangle& t = facets[f];
     normal[f] = unit_normal(t, points);
-    middle[f] = 1.0 / 3 * (points[t[0]] + points[t[1]] + points[t[2]]);
     for (std::size_t i = 0; i < 3; ++i)
       neighbours[f][i] = facet_with_side(*this, t[(i + 2) % 3], t[(i + 1) % 3]);
   });

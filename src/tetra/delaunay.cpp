@@ -97,11 +97,32 @@ std::vector<Engine::Vertex_handle> load(const TetMesh& mesh, Engine& engine) {
   return vertices;
 }
 
-struct Numbering {
-  std::vector<Engine::Cell_handle> cells;  // in the order of the engine, their numbers within
-  std::vector<Tet> former;                 // by number: the numbers they had before
-  std::size_t finite = 0;
-};
+void load_and_insert(const TetMesh& mesh, const std::vector<Vec3>& added,
+                     const std::vector<Index>& near, Engine& engine, Job& job) {
+  constexpr std::size_t between_ticks = 4096;
+  const std::vector<Engine::Vertex_handle> vertices = load(mesh, engine);
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    if (k % between_ticks == 0)
+      job.tick(static_cast<double>(k) / static_cast<double>(added.size()));
+    const Engine::Vertex_handle v = engine.insert(to_engine(added[k]), vertices[near[k]]->cell());
+    v->info() = static_cast<Index>(mesh.points.size() + k);
+  }
+}
+
+// Calls body(k, cell) for all cells in the order of the engine, in parallel. A list of all of them
+// would take as much memory as a quarter of the mesh: they are handed out some at a time.
+template <class Body>
+void for_cells(const Engine& engine, unsigned threads, Body&& body) {
+  constexpr std::size_t at_a_time = std::size_t{1} << 16;  // they fit into the cache
+  std::vector<Engine::Cell_handle> cells;
+  cells.reserve(at_a_time);
+  std::size_t done = 0;
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); done += cells.size()) {
+    cells.clear();
+    for (; c != engine.all_cells_end() && cells.size() < at_a_time; ++c) cells.push_back(c);
+    parallel_for(cells.size(), threads, [&](std::size_t k) { body(done + k, cells[k]); });
+  }
+}
 
 // The lowest vertex; more by the number of points for an infinite cell.
 std::uint32_t sorting_key(const Engine& engine, Engine::Cell_handle c, std::size_t points) {
@@ -117,57 +138,99 @@ std::uint32_t sorting_key(const Engine& engine, Engine::Cell_handle c, std::size
 }
 
 // Tetrahedra sorted by their lowest vertex, finite ones first: neighbours in space are neighbours
-// in memory, which every later pass profits from.
-Numbering number_cells(const Engine& engine, std::size_t points, unsigned threads) {
-  Numbering numbering;
-  numbering.cells.reserve(engine.tds().number_of_cells());
-  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c)
-    numbering.cells.push_back(c);
-  std::vector<std::uint32_t> key(numbering.cells.size());
-  parallel_for(key.size(), threads,
-               [&](std::size_t k) { key[k] = sorting_key(engine, numbering.cells[k], points); });
+// in memory, which every later pass profits from. Leaves the numbers in the cells, and those that
+// they had before in `former`, by number, if it is asked for. Returns how many are finite.
+std::size_t number_cells(const Engine& engine, std::size_t points, unsigned threads,
+                         std::vector<Tet>* former) {
+  std::vector<std::uint32_t> key(engine.tds().number_of_cells());
+  if (key.size() >= most_tets)
+    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
+                  "use fewer points, or split the cloud");
+  for_cells(engine, threads,
+            [&](std::size_t k, Engine::Cell_handle c) { key[k] = sorting_key(engine, c, points); });
   std::vector<std::uint32_t> start(2 * points + 1, 0);
   for (std::uint32_t k : key) ++start[k + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  numbering.finite = start[points];
-  numbering.former.resize(key.size());
-  for (std::size_t k = 0; k < key.size(); ++k) {
-    const Tet number = start[key[k]]++;
-    numbering.former[number] = numbering.cells[k]->info().tet;
-    numbering.cells[k]->info().tet = number;
+  const std::size_t finite = start[points];
+  if (former) former->resize(key.size());
+  auto next = key.begin();
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c) {
+    const Tet number = start[*next++]++;
+    if (former) (*former)[number] = c->info().tet;
+    c->info().tet = number;
   }
-  return numbering;
+  return finite;
 }
 
-void copy_cells(const Engine& engine, const std::vector<Engine::Cell_handle>& cells,
-                unsigned threads, TetMesh& mesh) {
+void copy_cells(const Engine& engine, unsigned threads, TetMesh& mesh) {
   const auto infinite = engine.infinite_vertex();
-  mesh.vertices.resize(cells.size());
-  mesh.neighbours.resize(cells.size());
-  parallel_for(cells.size(), threads, [&](std::size_t k) {
-    const Tet t = cells[k]->info().tet;
+  mesh.vertices.resize(engine.tds().number_of_cells());
+  mesh.neighbours.resize(mesh.vertices.size());
+  for_cells(engine, threads, [&](std::size_t, Engine::Cell_handle c) {
+    const Tet t = c->info().tet;
     for (int i = 0; i < 4; ++i) {
-      const auto v = cells[k]->vertex(i);
+      const auto v = c->vertex(i);
       const auto j = static_cast<std::size_t>(i);
       mesh.vertices[t][j] = v == infinite ? infinite_vertex : v->info();
-      mesh.neighbours[t][j] = cells[k]->neighbor(i)->info().tet;
+      mesh.neighbours[t][j] = c->neighbor(i)->info().tet;
     }
   });
 }
 
-// The mesh of the engine over `points`, without its engine.
-Extension unload(const Engine& engine, std::vector<Vec3> points, std::size_t samples, Job& job) {
-  Numbering numbering = number_cells(engine, points.size(), job.threads());
-  if (numbering.cells.size() >= most_tets)
-    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
-                  "use fewer points, or split the cloud");
-  Extension result;
-  result.former = std::move(numbering.former);
-  result.mesh.points = std::move(points);
-  result.mesh.samples = samples;
-  result.mesh.finite = numbering.finite;
-  copy_cells(engine, numbering.cells, job.threads(), result.mesh);
-  return result;
+// A tetrahedron that an extension of its mesh has no more.
+struct LostTet {
+  Tet number;
+  std::array<Index, 4> vertices;
+  std::array<Tet, 4> neighbours;
+};
+
+// Takes the tetrahedra out of `mesh`, to make room for those of an extension, and returns the ones
+// that are not among them: with these, restore_tets() brings all of them back.
+std::vector<LostTet> put_tets_away(const std::vector<Tet>& former, TetMesh& mesh) {
+  std::vector<std::uint8_t> kept(mesh.size(), 0);
+  for (Tet t : former)
+    if (t != no_tet) kept[t] = 1;
+  std::vector<LostTet> lost;
+  for (Tet t = 0; t < kept.size(); ++t)
+    if (!kept[t]) lost.push_back({t, mesh.vertices[t], mesh.neighbours[t]});
+  mesh.vertices = {};
+  mesh.neighbours = {};
+  return lost;
+}
+
+// The corner of the tetrahedron with these vertices that is opposite to its facet of `lost`, which
+// is opposite to corner i of that.
+std::size_t corner_beyond(const std::array<Index, 4>& vertices, const LostTet& lost,
+                          std::size_t i) {
+  std::size_t beyond = 0;
+  for (std::size_t j = 0; j < 4; ++j) {
+    const auto shared = std::find(lost.vertices.begin(), lost.vertices.end(), vertices[j]);
+    if (shared == lost.vertices.end() || shared == lost.vertices.begin() + i) beyond = j;
+  }
+  return beyond;
+}
+
+void restore_tets(const Extension& extension, const std::vector<LostTet>& lost, unsigned threads,
+                  TetMesh& mesh) {
+  const std::vector<Tet>& former = extension.former;
+  const auto added = std::count(former.begin(), former.end(), no_tet);
+  mesh.vertices.resize(former.size() - static_cast<std::size_t>(added) + lost.size());
+  mesh.neighbours.resize(mesh.vertices.size());
+  parallel_for(former.size(), threads, [&](std::size_t t) {
+    if (former[t] == no_tet) return;
+    mesh.vertices[former[t]] = extension.mesh.vertices[t];
+    for (std::size_t i = 0; i < 4; ++i)
+      mesh.neighbours[former[t]][i] = former[extension.mesh.neighbours[t][i]];
+  });
+  for (const LostTet& l : lost) {
+    mesh.vertices[l.number] = l.vertices;
+    mesh.neighbours[l.number] = l.neighbours;
+  }
+  for (const LostTet& l : lost)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Tet n = l.neighbours[i];
+      mesh.neighbours[n][corner_beyond(mesh.vertices[n], l, i)] = l.number;
+    }
 }
 
 }  // namespace
@@ -184,24 +247,30 @@ TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job) {
                       ", so they bound no volume",
                   "scan the object from more sides, or give a cloud that is not flat");
   }
-  return unload(engine, std::move(points), samples, job).mesh;
+  TetMesh mesh;
+  mesh.finite = number_cells(engine, points.size(), job.threads(), nullptr);
+  copy_cells(engine, job.threads(), mesh);
+  mesh.points = std::move(points);
+  mesh.samples = samples;
+  return mesh;
 }
 
-Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
-                     const std::vector<Index>& near, Job& job) {
-  constexpr std::size_t between_ticks = 4096;
+Extension add_points(TetMesh& mesh, const std::vector<Vec3>& added, const std::vector<Index>& near,
+                     Job& job) {
   Engine engine;
-  const std::vector<Engine::Vertex_handle> vertices = load(mesh, engine);
-  for (std::size_t k = 0; k < added.size(); ++k) {
-    if (k % between_ticks == 0)
-      job.tick(static_cast<double>(k) / static_cast<double>(added.size()));
-    const Engine::Vertex_handle v = engine.insert(to_engine(added[k]), vertices[near[k]]->cell());
-    v->info() = static_cast<Index>(mesh.points.size() + k);
-  }
-  std::vector<Vec3> points = mesh.points;
-  points.insert(points.end(), added.begin(), added.end());
-  const std::size_t samples = points.size();
-  return unload(engine, std::move(points), samples, job);
+  load_and_insert(mesh, added, near, engine, job);
+  Extension result;
+  TetMesh& next = result.mesh;
+  next.points.reserve(mesh.points.size() + added.size());
+  next.points = mesh.points;
+  next.points.insert(next.points.end(), added.begin(), added.end());
+  next.samples = next.points.size();
+  next.finite = number_cells(engine, next.points.size(), job.threads(), &result.former);
+  const std::vector<LostTet> lost = put_tets_away(result.former, mesh);
+  copy_cells(engine, job.threads(), next);
+  engine.clear();
+  restore_tets(result, lost, job.threads(), mesh);
+  return result;
 }
 
 }  // namespace arris
