@@ -50,8 +50,8 @@ Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
   return {topology.components, topology.euler};
 }
 
-// The stage with the added points among its own. `stage` lends its memory meanwhile (add_points).
-Stage with_points(Stage& stage, const Labels& labels, const LocalFrame& frame,
+// The stage with the added points among its own.
+Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& frame,
                   const std::vector<RefinePoint>& added, Job& job) {
   Stage next;
   next.model = stage.model;

@@ -160,7 +160,7 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job) {
   report.swaps = swaps.accepted;
 }
 
-Stage add_features(Stage& stage, const Labels& labels, const Samples& given,
+Stage add_features(const Stage& stage, const Labels& labels, const Samples& given,
                    const std::vector<FeaturePoint>& refused, std::vector<FeaturePoint>& features,
                    Job& job) {
   Stage next;

@@ -41,9 +41,8 @@ void run_swaps(const Stage& stage, Labels& labels, Report& report, Job& job);
 // Adds the feature points that the surface of `labels` lets sense to `features`; returns the stage
 // that has them among its points, or nothing (no points) if there is none to add. Points
 // [samples ..) of a stage are the features, where the user's frame can hold them exactly. Across
-// gaps none is added near a `refused` one. `stage` is as before, but lends its memory meanwhile
-// (add_points).
-Stage add_features(Stage& stage, const Labels& labels, const Samples& samples,
+// gaps none is added near a `refused` one.
+Stage add_features(const Stage& stage, const Labels& labels, const Samples& samples,
                    const std::vector<FeaturePoint>& refused, std::vector<FeaturePoint>& features,
                    Job& job);
 

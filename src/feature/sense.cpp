@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "feature/adopt.h"
 #include "feature/council.h"
@@ -137,7 +138,7 @@ Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) council.settle(static_cast<Index>(v), settled[v]);
   });
-  found = {};
+  release(found);
   if (roughness == 0) find_small_planes(points, mesh, spacing, wanted, open, settled, job);
   job.tick(1);
   return in_one_array(settled);

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "base/failure.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 
 namespace arris {
@@ -162,75 +163,82 @@ std::size_t number_cells(const Engine& engine, std::size_t points, unsigned thre
   return finite;
 }
 
-void copy_cells(const Engine& engine, unsigned threads, TetMesh& mesh) {
-  const auto infinite = engine.infinite_vertex();
-  mesh.vertices.resize(engine.tds().number_of_cells());
-  mesh.neighbours.resize(mesh.vertices.size());
-  for_cells(engine, threads, [&](std::size_t, Engine::Cell_handle c) {
-    const Tet t = c->info().tet;
-    for (int i = 0; i < 4; ++i) {
-      const auto v = c->vertex(i);
-      const auto j = static_cast<std::size_t>(i);
-      mesh.vertices[t][j] = v == infinite ? infinite_vertex : v->info();
-      mesh.neighbours[t][j] = c->neighbor(i)->info().tet;
-    }
-  });
-}
-
-// A tetrahedron that an extension of its mesh has no more.
-struct LostTet {
+// A cell in flat numbers.
+struct CellCopy {
   Tet number;
   std::array<Index, 4> vertices;
   std::array<Tet, 4> neighbours;
 };
 
-// Takes the tetrahedra out of `mesh`, to make room for those of an extension, and returns the ones
-// that are not among them: with these, restore_tets() brings all of them back.
-std::vector<LostTet> put_tets_away(const std::vector<Tet>& former, TetMesh& mesh) {
-  std::vector<std::uint8_t> kept(mesh.size(), 0);
-  for (Tet t : former)
-    if (t != no_tet) kept[t] = 1;
-  std::vector<LostTet> lost;
-  for (Tet t = 0; t < kept.size(); ++t)
-    if (!kept[t]) lost.push_back({t, mesh.vertices[t], mesh.neighbours[t]});
-  mesh.vertices = {};
-  mesh.neighbours = {};
-  return lost;
-}
-
-// The corner of the tetrahedron with these vertices that is opposite to its facet of `lost`, which
-// is opposite to corner i of that.
-std::size_t corner_beyond(const std::array<Index, 4>& vertices, const LostTet& lost,
-                          std::size_t i) {
-  std::size_t beyond = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
-    const auto shared = std::find(lost.vertices.begin(), lost.vertices.end(), vertices[j]);
-    if (shared == lost.vertices.end() || shared == lost.vertices.begin() + i) beyond = j;
+CellCopy copy_cell(const Engine& engine, Engine::Cell_handle c) {
+  CellCopy copy{c->info().tet, {}, {}};
+  for (int i = 0; i < 4; ++i) {
+    const auto v = c->vertex(i);
+    const auto j = static_cast<std::size_t>(i);
+    copy.vertices[j] = v == engine.infinite_vertex() ? infinite_vertex : v->info();
+    copy.neighbours[j] = c->neighbor(i)->info().tet;
   }
-  return beyond;
+  return copy;
 }
 
-void restore_tets(const Extension& extension, const std::vector<LostTet>& lost, unsigned threads,
-                  TetMesh& mesh) {
-  const std::vector<Tet>& former = extension.former;
-  const auto added = std::count(former.begin(), former.end(), no_tet);
-  mesh.vertices.resize(former.size() - static_cast<std::size_t>(added) + lost.size());
+void copy_cells(const Engine& engine, unsigned threads, TetMesh& mesh) {
+  mesh.vertices.resize(engine.tds().number_of_cells());
   mesh.neighbours.resize(mesh.vertices.size());
+  for_cells(engine, threads, [&](std::size_t, Engine::Cell_handle c) {
+    const CellCopy copy = copy_cell(engine, c);
+    mesh.vertices[copy.number] = copy.vertices;
+    mesh.neighbours[copy.number] = copy.neighbours;
+  });
+}
+
+// Those that the mesh before had not.
+std::vector<CellCopy> new_cells(const Engine& engine, const std::vector<Tet>& former) {
+  std::vector<CellCopy> cells;
+  cells.reserve(static_cast<std::size_t>(std::count(former.begin(), former.end(), no_tet)));
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c)
+    if (former[c->info().tet] == no_tet) cells.push_back(copy_cell(engine, c));
+  return cells;
+}
+
+// The corner of the tetrahedron with these vertices that is beyond facet i of `tet`.
+std::size_t corner_beyond(const std::array<Index, 4>& vertices, const CellCopy& tet,
+                          std::size_t i) {
+  const auto shared = [&](Index v) {
+    for (std::size_t j = 0; j < 4; ++j)
+      if (j != i && tet.vertices[j] == v) return true;
+    return false;
+  };
+  std::size_t corner = 0;
+  while (corner < 3 && shared(vertices[corner])) ++corner;
+  return corner;
+}
+
+// The tetrahedra of an extension from those that it had `before`, under new numbers, and the
+// `added` ones: the engine, which takes more memory than both meshes, need not be there.
+void assemble(const TetMesh& before, const std::vector<CellCopy>& added, unsigned threads,
+              Extension& extension) {
+  const std::vector<Tet>& former = extension.former;
+  TetMesh& mesh = extension.mesh;
+  std::vector<Tet> now(before.size(), no_tet);
+  for (Tet t = 0; t < former.size(); ++t)
+    if (former[t] != no_tet) now[former[t]] = t;
+  mesh.vertices.resize(former.size());
+  mesh.neighbours.resize(former.size());
   parallel_for(former.size(), threads, [&](std::size_t t) {
     if (former[t] == no_tet) return;
-    mesh.vertices[former[t]] = extension.mesh.vertices[t];
+    mesh.vertices[t] = before.vertices[former[t]];
     for (std::size_t i = 0; i < 4; ++i)
-      mesh.neighbours[former[t]][i] = former[extension.mesh.neighbours[t][i]];
+      mesh.neighbours[t][i] = now[before.neighbours[former[t]][i]];
   });
-  for (const LostTet& l : lost) {
-    mesh.vertices[l.number] = l.vertices;
-    mesh.neighbours[l.number] = l.neighbours;
-  }
-  for (const LostTet& l : lost)
+  for (const CellCopy& tet : added) {
+    mesh.vertices[tet.number] = tet.vertices;
+    mesh.neighbours[tet.number] = tet.neighbours;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Tet n = l.neighbours[i];
-      mesh.neighbours[n][corner_beyond(mesh.vertices[n], l, i)] = l.number;
+      const Tet n = tet.neighbours[i];
+      if (former[n] != no_tet)
+        mesh.neighbours[n][corner_beyond(mesh.vertices[n], tet, i)] = tet.number;
     }
+  }
 }
 
 }  // namespace
@@ -255,21 +263,21 @@ TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job) {
   return mesh;
 }
 
-Extension add_points(TetMesh& mesh, const std::vector<Vec3>& added, const std::vector<Index>& near,
-                     Job& job) {
+Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
+                     const std::vector<Index>& near, Job& job) {
+  return_free_memory();  // the small pieces that sensing freed are of no use to an engine
   Engine engine;
   load_and_insert(mesh, added, near, engine, job);
   Extension result;
   TetMesh& next = result.mesh;
-  next.points.reserve(mesh.points.size() + added.size());
+  next.samples = mesh.points.size() + added.size();
+  next.finite = number_cells(engine, next.samples, job.threads(), &result.former);
+  const std::vector<CellCopy> cells = new_cells(engine, result.former);
+  engine.clear();
+  assemble(mesh, cells, job.threads(), result);
+  next.points.reserve(next.samples);
   next.points = mesh.points;
   next.points.insert(next.points.end(), added.begin(), added.end());
-  next.samples = next.points.size();
-  next.finite = number_cells(engine, next.points.size(), job.threads(), &result.former);
-  const std::vector<LostTet> lost = put_tets_away(result.former, mesh);
-  copy_cells(engine, job.threads(), next);
-  engine.clear();
-  restore_tets(result, lost, job.threads(), mesh);
   return result;
 }
 

@@ -26,10 +26,9 @@ struct Extension {
 // The Delaunay tetrahedralization of the points of `mesh`, which delaunay() gave, and of `added`,
 // finite and distinct from those: as delaunay() of all of them, all samples, but for the order of
 // tetrahedra that share their lowest vertex. near[k]: a point of `mesh` beside added[k], from where
-// its place is sought. `mesh` lends its memory: its tetrahedra are put away and brought back, so
-// that it is as it was in the end. Throws Failure(cancelled).
+// its place is sought. Throws Failure(cancelled).
 // Complexity: O(size of the mesh), with a small factor, and O(1) expected for each added point.
-Extension add_points(TetMesh& mesh, const std::vector<Vec3>& added, const std::vector<Index>& near,
-                     Job& job);
+Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
+                     const std::vector<Index>& near, Job& job);
 
 }  // namespace arris

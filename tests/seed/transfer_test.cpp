@@ -82,8 +82,7 @@ struct OneAdded {
 
   OneAdded(const Carried& c, Vec3 other) : carried(c), spacing(c.coarse.spacing) {
     OneStageJob job;
-    TetMesh mesh = c.coarse.mesh;
-    extension = add_points(mesh, {0.5 * (c.coarse.mesh.points[0] + other)}, {0}, job);
+    extension = add_points(c.coarse.mesh, {0.5 * (c.coarse.mesh.points[0] + other)}, {0}, job);
     spacing.push_back(spacing[0]);
   }
 
@@ -112,8 +111,7 @@ TEST(FollowSeeds, LabelsAreThoseOfThePlace) {
       spacing.push_back(c.coarse.spacing[v]);
     }
     OneStageJob job;
-    TetMesh mesh = c.coarse.mesh;
-    const auto [fine, former] = add_points(mesh, added, near, job);
+    const auto [fine, former] = add_points(c.coarse.mesh, added, near, job);
     const Seeds seeds = follow_seeds(c.coarse.mesh, c.labels, c.given, fine, former, near, spacing,
                                      std::vector<std::uint8_t>(fine.size(), 0), untold(fine), job);
     EXPECT_EQ(seeds.confidence, c.given.confidence);

@@ -64,15 +64,10 @@ TEST(Delaunay, AddedPointsGiveTheSameAsAllAtOnce) {
     std::vector<Index> near(added.size());
     for (std::size_t k = 0; k < near.size(); ++k) near[k] = static_cast<Index>(3 * k);
     const TetMesh before = build(points);
-    TetMesh lent = before;
     const Context context;
     Job job(context);
     job.stage("delaunay", 1);
-    const auto [mesh, former] = add_points(lent, added, near, job);
-    EXPECT_EQ(lent.points, before.points);
-    EXPECT_EQ(lent.vertices, before.vertices);
-    EXPECT_EQ(lent.neighbours, before.neighbours);
-    EXPECT_EQ(lent.finite, before.finite);
+    const auto [mesh, former] = add_points(before, added, near, job);
     std::vector<Vec3> all = points;
     all.insert(all.end(), added.begin(), added.end());
     EXPECT_EQ(sorted_corners(mesh), sorted_corners(build(all)));
