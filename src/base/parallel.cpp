@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/job.h"
+
 namespace arris {
 
 unsigned resolve_threads(unsigned threads) noexcept {
@@ -44,6 +46,17 @@ void parallel_chunks(std::size_t n, std::size_t grain, unsigned threads,
   work();
   for (std::thread& t : pool) t.join();
   if (failure) std::rethrow_exception(failure);
+}
+
+void parallel_chunks(std::size_t n, std::size_t grain, Job& job,
+                     const std::function<void(std::size_t, std::size_t)>& body) {
+  constexpr std::size_t chunks_per_tick = 64;
+  const std::size_t batch = chunks_per_tick * grain;
+  for (std::size_t from = 0; from < n; from += batch) {
+    job.tick(static_cast<double>(from) / static_cast<double>(n));
+    parallel_chunks(std::min(batch, n - from), grain, job.threads(),
+                    [&](std::size_t begin, std::size_t end) { body(from + begin, from + end); });
+  }
 }
 
 }  // namespace arris

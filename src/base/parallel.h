@@ -9,6 +9,8 @@
 
 namespace arris {
 
+class Job;
+
 // Threads to use for a request of `threads` (0: one per processor). At least 1.
 unsigned resolve_threads(unsigned threads) noexcept;
 
@@ -16,6 +18,10 @@ unsigned resolve_threads(unsigned threads) noexcept;
 // threads, the calling one included. Chunks must not write to shared state. An exception of a body
 // is rethrown here after all threads have stopped.
 void parallel_chunks(std::size_t n, std::size_t grain, unsigned threads,
+                     const std::function<void(std::size_t, std::size_t)>& body);
+
+// The same; between batches of chunks `job` hears how far it is, and may cancel.
+void parallel_chunks(std::size_t n, std::size_t grain, Job& job,
                      const std::function<void(std::size_t, std::size_t)>& body);
 
 // body(i) for every i in [0, n).

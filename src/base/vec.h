@@ -31,6 +31,11 @@ inline double squared_length(Vec3 a) {
 inline double length(Vec3 a) {
   return std::sqrt(dot(a, a));
 }
+// Of length 1; zero stays zero.
+inline Vec3 normalized(Vec3 a) {
+  const double l = length(a);
+  return l > 0 ? (1 / l) * a : Vec3{};
+}
 inline double distance(Vec3 a, Vec3 b) {
   return length(a - b);
 }

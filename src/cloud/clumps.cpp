@@ -82,8 +82,7 @@ class Groups {
 bool has_free_side(const Neighbours& near, Index p, Vec3 normal) {
   Vec3 towards;
   for (std::size_t j = 0; j < Neighbours::patch; ++j) {
-    const Vec3 d = near.point(near.of(p)[j]) - near.point(p);
-    towards = towards + 1 / length(d) * d;
+    towards = towards + normalized(near.point(near.of(p)[j]) - near.point(p));
   }
   const double l = length(towards), r = free_ball * near.reach(p);
   if (l > 0) towards = 1 / l * towards;

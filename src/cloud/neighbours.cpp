@@ -56,20 +56,16 @@ void Neighbours::find(const std::vector<Index>& whom, Job& job) {
       name.push_back(static_cast<Index>(p));
     }
   const NearestSample tree(left);
-  constexpr std::size_t grain = 4096, batch = 64 * grain;  // a batch between two ticks
-  for (std::size_t from = 0; from < whom.size(); from += batch) {
-    job.tick(static_cast<double>(from) / static_cast<double>(whom.size()));
-    const std::size_t n = std::min(batch, whom.size() - from);
-    parallel_chunks(n, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
-      std::vector<NearestSample::Hit> hits;
-      for (std::size_t k = from + begin; k < from + end; ++k) {
-        const Index p = whom[k];
-        tree.nearest(points_[p], count + 1, hits);  // the first is p itself
-        for (std::size_t j = 0; j < count; ++j) of_[p][j] = name[hits[j + 1].index];
-        reach_[p] = hits[rank].distance;
-      }
-    });
-  }
+  constexpr std::size_t grain = 4096;
+  parallel_chunks(whom.size(), grain, job, [&](std::size_t begin, std::size_t end) {
+    std::vector<NearestSample::Hit> hits;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index p = whom[k];
+      tree.nearest(points_[p], count + 1, hits);  // the first is p itself
+      for (std::size_t j = 0; j < count; ++j) of_[p][j] = name[hits[j + 1].index];
+      reach_[p] = hits[rank].distance;
+    }
+  });
 }
 
 }  // namespace arris

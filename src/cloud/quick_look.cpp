@@ -25,19 +25,14 @@ class Company {
 
   Company(const std::vector<Vec3>& points, Job& job)
       : points_(points), tree_(points), nearest_(points.size()), reach_(points.size()) {
-    constexpr std::size_t batch = 64 * grain;  // between two ticks
-    for (std::size_t from = 0; from < points.size(); from += batch) {
-      job.tick(static_cast<double>(from) / static_cast<double>(points.size()));
-      const std::size_t n = std::min(batch, points.size() - from);
-      parallel_chunks(n, grain, job.threads(), [&](std::size_t begin, std::size_t end) {
-        std::vector<NearestSample::Hit> hits;
-        for (std::size_t p = from + begin; p < from + end; ++p) {
-          tree_.nearest(points_[p], half + 1, hits);  // the first is p itself
-          for (std::size_t j = 0; j < half; ++j) nearest_[p][j] = hits[j + 1].index;
-          reach_[p] = hits[Neighbours::rank].distance;
-        }
-      });
-    }
+    parallel_chunks(points.size(), grain, job, [&](std::size_t begin, std::size_t end) {
+      std::vector<NearestSample::Hit> hits;
+      for (std::size_t p = begin; p < end; ++p) {
+        tree_.nearest(points_[p], half + 1, hits);  // the first is p itself
+        for (std::size_t j = 0; j < half; ++j) nearest_[p][j] = hits[j + 1].index;
+        reach_[p] = hits[Neighbours::rank].distance;
+      }
+    });
   }
 
   std::size_t size() const { return points_.size(); }

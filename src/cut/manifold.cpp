@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/triangle.h"
 #include "tetra/facet_stars.h"
 
 namespace arris {
@@ -131,8 +132,7 @@ class LinkCurve {
     auto operator<=>(const Edge&) const = default;
   };
   void add(const Triangle& facet, Index v) {
-    const std::size_t at = facet[0] == v ? 0 : facet[1] == v ? 1 : 2;
-    edges_.push_back({facet[(at + 1) % 3], facet[(at + 2) % 3]});
+    edges_.push_back({next_corner(facet, v), previous_corner(facet, v)});
   }
 
   // Up to so many edges the search from the first on is faster.

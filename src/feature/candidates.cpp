@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "base/triangle.h"
 #include "feature/meet.h"
 #include "feature/point_grid.h"
 #include "feature/small_set.h"

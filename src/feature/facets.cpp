@@ -6,6 +6,7 @@
 #include "base/distinct.h"
 #include "base/failure.h"
 #include "base/parallel.h"
+#include "base/triangle.h"
 #include "base/vec.h"
 
 namespace arris {
@@ -33,10 +34,6 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& points) {
   const double longest =
       std::max({squared_length(b - a), squared_length(c - b), squared_length(a - c)});
   return area > sliver * longest ? (1 / area) * n : Vec3{};
-}
-
-std::size_t corner_of(const Triangle& t, Index v) {
-  return t[0] == v ? 0 : t[1] == v ? 1 : 2;
 }
 
 }  // namespace
@@ -71,8 +68,8 @@ std::span<const Index> FacetMesh::star_near(Index v, Index facet,
 }
 
 double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v) {
-  const std::size_t i = corner_of(facet, v);
-  const Vec3 a = points[facet[(i + 1) % 3]] - points[v], b = points[facet[(i + 2) % 3]] - points[v];
+  const Vec3 a = points[next_corner(facet, v)] - points[v];
+  const Vec3 b = points[previous_corner(facet, v)] - points[v];
   return std::atan2(length(cross(a, b)), dot(a, b));
 }
 

@@ -43,11 +43,6 @@ inline Vec3 middle_of(const std::vector<Vec3>& points, const Triangle& facet) no
 // The angle of a facet at its corner v, in radians.
 double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v);
 
-// The end of the side of t that leaves v. On a closed surface those of a star are its whole ring.
-inline Index next_corner(const Triangle& t, Index v) noexcept {
-  return t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
-}
-
 // The points that share a facet with v, ascending. O(degree).
 void ring(const FacetMesh& mesh, Index v, std::vector<Index>& out);
 // Those of the rings of the ring, too, without v; of points of more than most_round facets those

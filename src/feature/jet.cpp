@@ -33,8 +33,7 @@ double Jet::height(Vec3 p) const noexcept {
 }
 
 Vec3 Jet::normal() const noexcept {
-  const Vec3 g = n - c[1] * u - c[2] * v;
-  return (1 / length(g)) * g;
+  return normalized(n - c[1] * u - c[2] * v);
 }
 
 Jet fit_jet(const std::vector<Vec3>& points, const std::vector<Index>& members, Vec3 origin, Vec3 n,

@@ -9,8 +9,7 @@ LocalSurface tangent_plane(Vec3 origin, Vec3 n) noexcept {
   s.origin = origin;
   s.n = n;
   const Vec3 axis = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 u = cross(n, axis);
-  s.u = (1 / length(u)) * u;
+  s.u = normalized(cross(n, axis));
   s.v = cross(n, s.u);
   return s;
 }

@@ -29,10 +29,7 @@ struct LocalSurface {
     return height <= far || height / std::sqrt(1 + f.zx * f.zx + f.zy * f.zy) <= far;
   }
   // Outward unit normal at the foot of p.
-  Vec3 normal(Vec3 p) const noexcept {
-    const Vec3 g = gradient(p);
-    return (1 / length(g)) * g;
-  }
+  Vec3 normal(Vec3 p) const noexcept { return normalized(gradient(p)); }
   // Whether dot(normal(p), unit) is at least `cosine`: mostly told without a root.
   bool has_direction(Vec3 p, Vec3 unit, double cosine) const noexcept {
     const Vec3 g = gradient(p);

@@ -53,11 +53,6 @@ void collect_stars(std::size_t vertices, MeshEdges& result) {
     for (Index v : result.edges[e].ends) result.star[next[v]++] = static_cast<Index>(e);
 }
 
-Vec3 unit(Vec3 a) {
-  const double l = length(a);
-  return l > 0 ? 1 / l * a : Vec3{};
-}
-
 // Corner k of triangle t and the two after it.
 std::array<Vec3, 3> corners_from(const Mesh& mesh, std::size_t t, std::size_t k) {
   const Triangle& c = mesh.triangles[t];
@@ -106,7 +101,7 @@ std::vector<Vec3> stable_normals(const Mesh& mesh, const MeshEdges& edges) {
   for (std::size_t t = 0; t < n; ++t) {
     const auto x = corners_from(mesh, t, 0);
     const Vec3 normal = cross(x[1] - x[0], x[2] - x[0]);
-    normals[t] = unit(normal);
+    normals[t] = normalized(normal);
     Index longest = no_index;
     for (Index e : edges.of_face[t])
       if (e != no_index &&

@@ -67,11 +67,6 @@ Links link_facets(const std::vector<Vec3>& points, const FacetMesh& mesh) {
   return links;
 }
 
-Vec3 unit(Vec3 v) {
-  const double size = length(v);
-  return size > 0 ? (1 / size) * v : Vec3{};
-}
-
 // The median turn, as a chord, at the sides of the facets linked to those linked to f.
 double usual_turn(const Links& links, const FacetMesh& mesh, std::size_t f, SmallSet& seen,
                   std::vector<double>& turns) {
@@ -131,7 +126,7 @@ class Guidance {
       all += links_.weight[k];
     }
     variation_[f] = all > 0 ? 1 - length(sum) / all : 1;
-    mean_[f] = unit(sum);
+    mean_[f] = normalized(sum);
   }
 
   const Links& links_;
@@ -158,7 +153,7 @@ FilteredNormals filter_normals(const std::vector<Vec3>& points, const FacetMesh&
         const double like = std::exp(-squared_length(guide[g] - guide[f]) / width);
         sum = sum + links.weight[k] * like * result.normal[g];
       }
-      next[f] = unit(sum);
+      next[f] = normalized(sum);
     });
     result.normal.swap(next);
   }

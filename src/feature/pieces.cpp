@@ -33,7 +33,7 @@ Piece find_piece(const std::vector<Vec3>& points, const FacetMesh& mesh,
     }
     if (all <= most || sum == Vec3{}) continue;
     most = all;
-    piece.normal = 1 / length(sum) * sum;
+    piece.normal = normalized(sum);
   }
   return piece;
 }

@@ -182,7 +182,7 @@ class Refiner {
     Vec3 n;
     for (Index f : seeds) n = n + normals_[f];
     if (!(squared_length(n) > 0)) return std::nullopt;
-    n = (1 / length(n)) * n;
+    n = normalized(n);
     const double unit = std::max(edge.length, mean_spacing(e));
     gather(seeds, middle, n, reach * unit, members);
     if (members.points.size() < least_members) return std::nullopt;

@@ -53,8 +53,7 @@ Frame frame_at(Vec3 origin, Vec3 normal) {
   const Vec3 least = ax <= ay && ax <= az ? Vec3{1, 0, 0}
                      : ay <= az           ? Vec3{0, 1, 0}
                                           : Vec3{0, 0, 1};
-  Vec3 x = cross(normal, least);
-  x = 1 / length(x) * x;
+  const Vec3 x = normalized(cross(normal, least));
   return {origin, x, cross(normal, x), normal};
 }
 

@@ -84,7 +84,7 @@ Piece take_piece(std::vector<Candidate>& candidates) {
   }
   piece.weight = best.weight;
   piece.distance /= weight;
-  piece.normal = 1 / length(piece.normal) * piece.normal;
+  piece.normal = normalized(piece.normal);
   piece.middle = 1 / weight * piece.middle;
   std::erase_if(candidates, joins);
   return piece;

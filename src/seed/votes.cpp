@@ -92,8 +92,7 @@ class Collector {
     std::array<Vec3, 3> x;
     for (std::size_t k = 0; k < 3; ++k)
       x[k] = mesh_.points[mesh_.vertices[t][static_cast<std::size_t>(facet_corners[i][k])]];
-    const Vec3 normal = cross(x[1] - x[0], x[2] - x[0]);
-    return 1 / length(normal) * normal;
+    return normalized(cross(x[1] - x[0], x[2] - x[0]));
   }
 
   // Direction and length of the farther pole; of infinite length for a sample on the hull.
@@ -119,8 +118,7 @@ class Collector {
         pole = {t, balls_[t].radius, 1 / balls_[t].radius * (balls_[t].centre - mesh_.points[v])};
       }
     }
-    if (std::isinf(pole.length))
-      pole = {no_tet, pole.length, 1 / length(hull_normal) * hull_normal};
+    if (std::isinf(pole.length)) pole = {no_tet, pole.length, normalized(hull_normal)};
     return pole;
   }
 

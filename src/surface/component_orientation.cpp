@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/triangle.h"
 #include "base/vec.h"
 #include "tetra/predicates.h"
 
@@ -34,9 +35,7 @@ std::vector<Lowest> find_lowest(Points points, Triangles triangles, const MeshTo
 
 // The corners after and before v, in the order the triangle walks them.
 std::array<Index, 2> others(const Triangle& t, Index v) {
-  if (t[0] == v) return {t[1], t[2]};
-  if (t[1] == v) return {t[2], t[0]};
-  return {t[0], t[1]};
+  return {next_corner(t, v), previous_corner(t, v)};
 }
 
 // A neighbour u of v, the lexicographically lowest vertex, such that the ray vu is an extreme ray

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/triangle.h"
 
 namespace arris {
 namespace {
@@ -13,10 +14,6 @@ constexpr std::size_t vertices_per_chunk = 4096;
 bool is_proper(const Triangle& t, std::size_t vertices) {
   return t[0] < vertices && t[1] < vertices && t[2] < vertices && t[0] != t[1] && t[1] != t[2] &&
          t[2] != t[0];
-}
-
-int corner_of(const Triangle& t, Index v) {
-  return t[0] == v ? 0 : t[1] == v ? 1 : 2;
 }
 
 // Counting sort of the corners of proper triangles by vertex; counts bad corners on the way.
@@ -97,10 +94,9 @@ class StarWalker {
     std::iota(fan_.begin(), fan_.end(), 0u);
     for (std::uint32_t i = 0; i < star.size(); ++i) {
       const Triangle& t = triangles_[star[i]];
-      const int out = corner_of(t, v), in = (out + 2) % 3;
-      spokes_.push_back(
-          {t[static_cast<std::size_t>((out + 1) % 3)], i, static_cast<std::uint8_t>(out), true});
-      spokes_.push_back({t[static_cast<std::size_t>(in)], i, static_cast<std::uint8_t>(in), false});
+      const std::size_t out = corner_of(t, v), in = (out + 2) % 3;
+      spokes_.push_back({t[(out + 1) % 3], i, static_cast<std::uint8_t>(out), true});
+      spokes_.push_back({t[in], i, static_cast<std::uint8_t>(in), false});
     }
     std::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
       return a.other != b.other ? a.other < b.other : a.local < b.local;

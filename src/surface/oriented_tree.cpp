@@ -17,11 +17,6 @@ constexpr double clearance = 0x1p-40;
 // A normal this near to the long side, as a sine, gives no second axis.
 constexpr double least_sine = 1e-3;
 
-Vec3 unit(Vec3 a) {
-  const double l = length(a);
-  return l > 0 ? 1 / l * a : Vec3{};
-}
-
 Vec3 centre(const LongTriangle& t) {
   return 1.0 / 3 * (t.corner[0] + t.corner[1] + t.corner[2]);
 }
@@ -46,7 +41,9 @@ double component(Vec3 p, std::size_t axis) {
 // Any unit vector at right angles to the unit vector a.
 Vec3 across(Vec3 a) {
   const double x = std::abs(a.x), y = std::abs(a.y), z = std::abs(a.z);
-  return unit(cross(a, x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1}));
+  return normalized(cross(a, x <= y && x <= z ? Vec3{1, 0, 0}
+                             : y <= z         ? Vec3{0, 1, 0}
+                                              : Vec3{0, 0, 1}));
 }
 
 // Sums of lines, not of directions: each is taken the way the first goes.
@@ -96,9 +93,9 @@ bool share_hub(const std::array<Index, 3>& a, const std::array<Index, 3>& b) noe
 // along them.
 struct OrientedTree::Probe {
   explicit Probe(const LongTriangle& t) : corner(t.corner) {
-    axis[0] = unit(normal_of(t));
+    axis[0] = normalized(normal_of(t));
     for (std::size_t k = 0; k < 3; ++k)
-      axis[k + 1] = unit(cross(axis[0], t.corner[(k + 1) % 3] - t.corner[k]));
+      axis[k + 1] = normalized(cross(axis[0], t.corner[(k + 1) % 3] - t.corner[k]));
     for (std::size_t a = 0; a < axis.size(); ++a) {
       const std::array<double, 3> x = along(axis[a]);
       lo[a] = *std::min_element(x.begin(), x.end()) - clearance;
@@ -224,12 +221,13 @@ OrientedTree::OrientedBox OrientedTree::box_of(std::uint32_t begin, std::uint32_
     add_line(normal, normal_of(triangles_[t]));
   }
   OrientedBox box;
-  box.axis[0] = unit(side);
+  box.axis[0] = normalized(side);
   if (box.axis[0] == Vec3{}) box.axis[0] = {1, 0, 0};
   const auto upright = [&](Vec3 a) { return a - dot(a, box.axis[0]) * box.axis[0]; };
-  const Vec3 second = upright(unit(normal));
+  const Vec3 second = upright(normalized(normal));
   // Twice is enough for a right angle to the last bits.
-  box.axis[1] = length(second) > least_sine ? unit(upright(unit(second))) : across(box.axis[0]);
+  box.axis[1] =
+      length(second) > least_sine ? normalized(upright(normalized(second))) : across(box.axis[0]);
   box.axis[2] = cross(box.axis[0], box.axis[1]);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   box.lo.fill(infinity);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/distinct.h"
+#include "base/triangle.h"
 #include "base/vec.h"
 
 namespace arris {
@@ -22,7 +23,7 @@ std::optional<Vec3> direction(Vec3 a, Vec3 b) {
   const Vec3 d = b - a;
   const double size = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   if (!(size > smallest && size < largest)) return {};
-  return 1 / length(d) * d;
+  return normalized(d);
 }
 
 // The triangle between the ends of an arc of at most a right angle and where its tangents there
@@ -56,8 +57,7 @@ StarArcs::StarArcs(std::span<const Vec3> points, std::span<const Triangle> trian
   std::vector<LongTriangle> hulls;
   for (std::size_t k = 0; k < star.size(); ++k) {
     const Triangle& t = triangles[star[k]];
-    const std::size_t at = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    if (!add_hulls(points[v], points[t[(at + 1) % 3]], points[t[(at + 2) % 3]], hulls))
+    if (!add_hulls(points[v], points[next_corner(t, v)], points[previous_corner(t, v)], hulls))
       everywhere_.push_back(static_cast<std::uint32_t>(k));
     owner_.resize(hulls.size(), static_cast<std::uint32_t>(k));
     first_.push_back(static_cast<std::uint32_t>(hulls.size()));

@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/failure.h"
+#include "base/job.h"
+
 namespace arris {
 namespace {
 
@@ -71,6 +74,39 @@ TEST(Parallel, AnExceptionComesOutAfterAllThreadsStopped) {
     EXPECT_THROW(parallel_chunks(100, 1, threads, body), std::runtime_error);
     EXPECT_EQ(running, 0);
   }
+}
+
+TEST(Parallel, AJobHearsHowFarItIsBetweenBatches) {
+  Context context;
+  context.threads = 2;
+  std::vector<double> heard;
+  context.progress = [&](std::string_view, double fraction) { heard.push_back(fraction); };
+  Job job(context);
+  job.stage("chunks", 1);
+  std::vector<int> visits(1001, 0);
+  parallel_chunks(visits.size(), 3, job, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) ++visits[i];
+  });
+  EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), 1001);
+  EXPECT_FALSE(heard.empty());
+  EXPECT_TRUE(std::is_sorted(heard.begin(), heard.end()));
+}
+
+TEST(Parallel, AJobCanBeCancelledBetweenBatches) {
+  std::atomic<bool> cancel = false;
+  Context context;
+  context.threads = 1;
+  context.cancel = &cancel;
+  Job job(context);
+  job.stage("chunks", 1);
+  std::size_t visited = 0;
+  const auto body = [&](std::size_t begin, std::size_t end) {
+    visited += end - begin;
+    cancel = true;
+  };
+  EXPECT_THROW(parallel_chunks(1'000'000, 1, job, body), Failure);
+  EXPECT_GT(visited, 0u);
+  EXPECT_LT(visited, 1000u);
 }
 
 TEST(Parallel, ZeroThreadsMeansOnePerProcessor) {
