@@ -149,7 +149,7 @@ void sharpen(const Samples& samples, const Options& options, int rounds, const S
       next = add_features(stage, labels, samples, refused, features, job);
       if (next.mesh.points.empty()) break;
       cut = cut_manifold(next, {}, report, job);
-      next.stars = {};
+      forget_evidence(next);
     } while (refuse_features(stage, labels, next, cut.labels, features, known, refused));
     if (next.mesh.points.empty()) break;
     if (!has_inside(cut.labels)) {  // a handful of points: the features were none
@@ -176,7 +176,7 @@ void finish_first(const Samples& samples, const Options& options, double share, 
                   Labels& labels, Report& report, Job& job) {
   require_inside(labels);
   if (stage.mesh.points.size() == samples.points.size()) join_parts(stage, labels, report, job);
-  stage.stars = {};
+  forget_evidence(stage);
   job.stage("swap", share);
   if (options.swap) run_swaps(stage, labels, report, job);
 }

@@ -19,7 +19,7 @@ namespace arris {
 
 struct Stage {
   TetMesh mesh;
-  Stars stars;  // until the surface is cut: nothing later asks for them
+  Stars stars;
   Seeds seeds;
   EnergyModel model;
   // Per tetrahedron: 1 where it lies far from every feature point and was swapped already; or
@@ -31,6 +31,9 @@ struct Stage {
 // Cut, and the manifold next to it, without specks.
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job);
+
+// Frees the stars and the labels of the seeds, which nothing asks for once the surface is cut.
+void forget_evidence(Stage& stage);
 
 // Joins the stumps of parts whose sides are missing all round (cut/join.h) where that makes tubes
 // of them and nothing else. Every point of the stage must be a sample.

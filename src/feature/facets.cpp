@@ -118,10 +118,10 @@ std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::siz
   return marked;
 }
 
-void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked) {
+void spread(const std::vector<Triangle>& facets, int rings, std::vector<std::uint8_t>& marked) {
   for (int round = 0; round < rings; ++round) {
     const std::vector<std::uint8_t> before = marked;
-    for (const Triangle& t : mesh.facets)
+    for (const Triangle& t : facets)
       if (before[t[0]] || before[t[1]] || before[t[2]])
         for (Index v : t) marked[v] = 1;
   }

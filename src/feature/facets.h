@@ -58,6 +58,6 @@ void keep_nearest(const std::vector<Vec3>& points, Index v, std::size_t most,
 std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points);
 
 // Marks the points within `rings` rings of marked ones, too. O(rings * facets).
-void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked);
+void spread(const std::vector<Triangle>& facets, int rings, std::vector<std::uint8_t>& marked);
 
 }  // namespace arris

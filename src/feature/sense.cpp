@@ -113,7 +113,7 @@ Sensed in_one_array(const Found& surfaces) {
 
 std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points) {
   std::vector<std::uint8_t> marked = at_bends(mesh, least_bend, points);
-  spread(mesh, 2, marked);
+  spread(mesh.facets, 2, marked);
   return marked;
 }
 
