@@ -145,9 +145,11 @@ void sharpen(const Samples& samples, const Options& options, int rounds, const S
     do {
       features.resize(known);
       report.manifold_flips = flips;
+      next = {};
       next = add_features(stage, labels, samples, refused, features, job);
       if (next.mesh.points.empty()) break;
       cut = cut_manifold(next, {}, report, job);
+      forget_evidence(next);
     } while (refuse_features(stage, labels, next, cut.labels, features, known, refused));
     if (next.mesh.points.empty()) break;
     if (!has_inside(cut.labels)) {  // a handful of points: the features were none
@@ -170,10 +172,11 @@ void require_inside(const Labels& labels) {
 }
 
 // Joins what missing samples have parted, and swaps.
-void finish_first(const Samples& samples, const Options& options, double share, const Stage& stage,
+void finish_first(const Samples& samples, const Options& options, double share, Stage& stage,
                   Labels& labels, Report& report, Job& job) {
   require_inside(labels);
   if (stage.mesh.points.size() == samples.points.size()) join_parts(stage, labels, report, job);
+  forget_evidence(stage);
   job.stage("swap", share);
   if (options.swap) run_swaps(stage, labels, report, job);
 }
@@ -189,6 +192,7 @@ void settle_again(const NoisyCloud& data, Settling how, const Options& options, 
                   Stage& stage, Labels& labels, Report& report, Job& job) {
   job.stage("settle", 0);
   settle(data.cloud, data.noise, stage, labels, how, samples, job);
+  stage = {};  // two at a time would be the peak of memory
   stage = make_stage(samples, options, not_foreseen, report, job);
   labels = iterate_cuts(stage, options.cycles, not_foreseen.cut, report, job);
   finish_first(samples, options, not_foreseen.swap, stage, labels, report, job);
@@ -247,6 +251,7 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     const std::uint64_t dropped = drop_spikes(stage, labels, samples, job);
     if (dropped == 0) break;
     report.surface_outliers += dropped;
+    stage = {};
     stage = make_stage(samples, options, not_foreseen, report, job);
     labels = iterate_cuts(stage, options.cycles, not_foreseen.cut, report, job);
   }

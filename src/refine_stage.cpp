@@ -172,6 +172,7 @@ std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& sample
     SurfaceCut cut = cut_manifold(next, {}, trial, job);
     trial.cut_energy.push_back(cut.energy);
     if (topology_of(next, cut.labels, job) == wanted) {
+      forget_evidence(next);
       stage = std::move(next);
       labels = std::move(cut.labels);
       report = std::move(trial);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "cut/facet_costs.h"
 #include "cut/join.h"
@@ -22,6 +23,12 @@
 namespace arris {
 namespace {
 
+// The surface that was sensed on, and what was sensed.
+struct SensedFacets {
+  std::vector<Triangle> facets;
+  Sensed surfaces;
+};
+
 // Everywhere at first; then only round the features that were found, where the surface is new.
 std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t points,
                                           std::size_t samples) {
@@ -30,7 +37,7 @@ std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t p
   if (points == samples) return wanted;
   std::vector<std::uint8_t> fresh(points, 0);
   std::fill(fresh.begin() + static_cast<std::ptrdiff_t>(samples), fresh.end(), 1);
-  spread(facets, rings, fresh);
+  spread(facets.facets, rings, fresh);
   for (std::size_t v = 0; v < points; ++v) wanted[v] = wanted[v] && fresh[v];
   return wanted;
 }
@@ -40,6 +47,20 @@ std::vector<std::vector<LocalSurface>> surfaces_of(const std::vector<FeaturePoin
   surfaces.reserve(features.size());
   for (const FeaturePoint& p : features) surfaces.push_back(p.surfaces);
   return surfaces;
+}
+
+// Appends the new feature points. Of the facets only the corners are kept, for what comes next
+// takes much memory.
+SensedFacets sense_features(const Stage& stage, const Labels& labels, std::size_t samples,
+                            const std::vector<FeaturePoint>& refused,
+                            std::vector<FeaturePoint>& features, Job& job) {
+  const std::vector<Vec3>& points = stage.mesh.points;
+  FacetMesh mesh(boundary_triangles(stage.mesh, labels), points, job.threads());
+  Sensed sensed = sense_surfaces(points, mesh, stage.model.spacing,
+                                 places_to_sense(mesh, points.size(), samples),
+                                 surfaces_of(features), stage.roughness, job);
+  insert_feature_points(points, samples, mesh, stage.model.spacing, sensed, refused, features, job);
+  return {std::move(mesh.facets), std::move(sensed)};
 }
 
 Sides sides_of(const std::vector<Vec3>& points, const SurfacesAt& surfaces_at) {
@@ -70,7 +91,7 @@ std::vector<Index> unsettled_points(const std::vector<Index>& near, const Labels
 // models: with three rings the figures are those of cutting and swapping everything, with two
 // almost.
 std::vector<std::uint8_t> far_from(const std::vector<Index>& unsettled, std::size_t added,
-                                   const FacetMesh& facets, const Extension& extension,
+                                   const std::vector<Triangle>& facets, const Extension& extension,
                                    unsigned threads) {
   constexpr int rings = 3;
   const TetMesh& mesh = extension.mesh;
@@ -128,6 +149,13 @@ std::uint64_t make_manifold(const Stage& stage, const std::vector<double>& curva
 
 }  // namespace
 
+void forget_evidence(Stage& stage) {
+  stage.stars = {};
+  release(stage.seeds.label);
+  release(stage.seeds.firm);
+  release(stage.seeds.hint);
+}
+
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job) {
   SurfaceCut cut = cut_surface(stage.mesh, stage.model, stage.seeds, curvature, job);
@@ -166,12 +194,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   Stage next;
   const std::size_t samples = given.points.size();
   const std::size_t known = features.size();
-  const FacetMesh facets(boundary_triangles(stage.mesh, labels), stage.mesh.points, job.threads());
-  const Sensed sensed = sense_surfaces(stage.mesh.points, facets, stage.model.spacing,
-                                       places_to_sense(facets, stage.mesh.points.size(), samples),
-                                       surfaces_of(features), stage.roughness, job);
-  insert_feature_points(stage.mesh.points, samples, facets, stage.model.spacing, sensed, refused,
-                        features, job);
+  const SensedFacets sensed = sense_features(stage, labels, samples, refused, features, job);
   if (features.size() == known) return next;
   std::vector<Vec3> added;
   std::vector<Index> near;
@@ -186,13 +209,13 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
   Extension extension = add_points(stage.mesh, added, near, job);
   // At the samples as sensed, at the features as they were made.
   const SurfacesAt surfaces_at = [&](Index v) {
-    return v < samples ? sensed.at(v)
+    return v < samples ? sensed.surfaces.at(v)
                        : std::span<const LocalSurface>(features[v - samples].surfaces);
   };
   const std::vector<Seed> known_seeds =
       tetrahedra_between(extension.mesh, next.model.spacing, surfaces_at, stage.roughness, job);
   const std::vector<std::uint8_t> far =
-      far_from(unsettled_points(near, labels, extension, known_seeds), added.size(), facets,
+      far_from(unsettled_points(near, labels, extension, known_seeds), added.size(), sensed.facets,
                extension, job.threads());
   next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);

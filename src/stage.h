@@ -32,6 +32,9 @@ struct Stage {
 SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature, Report& report,
                         Job& job);
 
+// Frees the stars and the labels of the seeds, which nothing asks for once the surface is cut.
+void forget_evidence(Stage& stage);
+
 // Joins the stumps of parts whose sides are missing all round (cut/join.h) where that makes tubes
 // of them and nothing else. Every point of the stage must be a sample.
 void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job);

@@ -28,7 +28,7 @@ struct Reconstruction {
 // the distinct points, moved by what noise there is, and of points added on features. The result
 // does not depend on the number of threads, nor on the order of the points except for which
 // duplicate gives its attributes (the first). Errors: usage, bad_points, degenerate, no_surface,
-// certificate, out_of_memory, cancelled. Complexity: O(n log n) time and about 2.4 kB a point for
+// certificate, out_of_memory, cancelled. Complexity: O(n log n) time and at most 2.1 kB a point for
 // points near a surface.
 Result<Reconstruction> reconstruct(const PointCloud& cloud, const Options& options = {},
                                    const Context& context = {});

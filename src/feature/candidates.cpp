@@ -238,7 +238,7 @@ std::vector<std::uint8_t> near_features(const Crossing& c, std::span<const Cross
   std::vector<std::uint8_t> marked(c.points.size(), 0);
   for (Index v = 0; v < marked.size(); ++v) marked[v] = c.sensed.at(v).size() > 1;
   for (const auto& [u, v, f] : crossing) marked[u] = marked[v] = 1;
-  spread(c.mesh, 2, marked);
+  spread(c.mesh.facets, 2, marked);
   return marked;
 }
 

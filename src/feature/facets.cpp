@@ -43,11 +43,9 @@ FacetMesh::FacetMesh(std::vector<Triangle> triangles, const std::vector<Vec3>& p
     : facets(std::move(triangles)), stars(points.size(), facets) {
   neighbours.resize(facets.size());
   normal.resize(facets.size());
-  middle.resize(facets.size());
   parallel_for(facets.size(), threads, [&](std::size_t f) {
     const Triangle& t = facets[f];
     normal[f] = unit_normal(t, points);
-    middle[f] = 1.0 / 3 * (points[t[0]] + points[t[1]] + points[t[2]]);
     for (std::size_t i = 0; i < 3; ++i)
       neighbours[f][i] = facet_with_side(*this, t[(i + 2) % 3], t[(i + 1) % 3]);
   });
@@ -120,10 +118,10 @@ std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::siz
   return marked;
 }
 
-void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked) {
+void spread(const std::vector<Triangle>& facets, int rings, std::vector<std::uint8_t>& marked) {
   for (int round = 0; round < rings; ++round) {
     const std::vector<std::uint8_t> before = marked;
-    for (const Triangle& t : mesh.facets)
+    for (const Triangle& t : facets)
       if (before[t[0]] || before[t[1]] || before[t[2]])
         for (Index v : t) marked[v] = 1;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arris/types.h"
+#include "base/vec.h"
 #include "feature/small_set.h"
 #include "tetra/facet_stars.h"
 
@@ -21,7 +22,6 @@ struct FacetMesh {
   std::vector<Triangle> facets;                  // indices of points, outward
   std::vector<std::array<Index, 3>> neighbours;  // [f][i]: across the side opposite corner i
   std::vector<Vec3> normal;                      // unit; zero where a facet has none to judge by
-  std::vector<Vec3> middle;                      // mean of the corners
   FacetStars stars;
 
   // Every side must be shared by exactly two facets, in opposite directions; throws
@@ -34,6 +34,11 @@ struct FacetMesh {
   // of them, going round v. Ascending; uses `buffer`. O(most_round).
   std::span<const Index> star_near(Index v, Index facet, std::vector<Index>& buffer) const;
 };
+
+// Mean of the corners of a facet. Cheaper to compute than to keep.
+inline Vec3 middle_of(const std::vector<Vec3>& points, const Triangle& facet) noexcept {
+  return 1.0 / 3 * (points[facet[0]] + points[facet[1]] + points[facet[2]]);
+}
 
 // The angle of a facet at its corner v, in radians.
 double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v);
@@ -53,6 +58,6 @@ void keep_nearest(const std::vector<Vec3>& points, Index v, std::size_t most,
 std::vector<std::uint8_t> at_bends(const FacetMesh& mesh, double angle, std::size_t points);
 
 // Marks the points within `rings` rings of marked ones, too. O(rings * facets).
-void spread(const FacetMesh& mesh, int rings, std::vector<std::uint8_t>& marked);
+void spread(const std::vector<Triangle>& facets, int rings, std::vector<std::uint8_t>& marked);
 
 }  // namespace arris

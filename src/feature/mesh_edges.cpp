@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "base/vec.h"
 
@@ -124,10 +125,12 @@ std::vector<Vec3> stable_normals(const Mesh& mesh, const MeshEdges& edges) {
 
 MeshEdges collect_edges(const Mesh& mesh, Job& job) {
   MeshEdges result;
-  const std::vector<Side> sides = sorted_sides(mesh);
+  std::vector<Side> sides = sorted_sides(mesh);
   job.tick(0.2);
   result.of_face.assign(mesh.triangles.size(), {no_index, no_index, no_index});
   std::vector<std::uint8_t> branches;  // three or more triangles
+  branches.reserve(sides.size() / 2);  // exactly, on a closed surface
+  result.edges.reserve(sides.size() / 2);
   for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
     MeshEdge edge;
     edge.ends = {static_cast<Index>(sides[begin].key >> 32), static_cast<Index>(sides[begin].key)};
@@ -139,6 +142,7 @@ MeshEdges collect_edges(const Mesh& mesh, Job& job) {
     branches.push_back(end - begin > 2);
     result.edges.push_back(edge);
   }
+  release(sides);
   collect_stars(mesh.vertices.size(), result);
   job.tick(0.3);
   const std::vector<Vec3> normals = stable_normals(mesh, result);

@@ -48,7 +48,7 @@ bool PatchGrower::accepts(Index f, const Limits& limits) {
   const Vec3 n = mesh_.normal[f];
   if (n == Vec3{}) return true;
   const bool quadric = patch_.members.size() >= quadric_members;
-  return patch_.surface.has_direction(mesh_.middle[f], n,
+  return patch_.surface.has_direction(middle_of(points_, mesh_.facets[f]), n,
                                       quadric ? limits.quadric_cosine : limits.plane_cosine);
 }
 
@@ -115,7 +115,7 @@ std::optional<Patch> PatchGrower::grow(Index centre, Index seed, const PatchTole
       ++fits_;
     }
     for (Index g : mesh_.neighbours[f])
-      if (seen_.insert(g)) push(g, distance(mesh_.middle[g], points_[centre]));
+      if (seen_.insert(g)) push(g, distance(middle_of(points_, mesh_.facets[g]), points_[centre]));
   }
   if (!is_large()) return std::nullopt;
   fit_.fit_robustly(patch_.surface);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -259,14 +260,19 @@ class Refiner {
   std::vector<Vec3> vertex_normals_;      // unit; 0 on features
 };
 
-using Lifts = std::vector<std::optional<Lift>>;
+using Lifts = std::vector<std::unique_ptr<Lift>>;  // per edge: few have one
+
+void lift_edge(const Refiner& refiner, Index e, Members& members, Lifts& lifts) {
+  std::optional<Lift> lift = refiner.lift(e, members);
+  lifts[e] = lift ? std::make_unique<Lift>(std::move(*lift)) : nullptr;
+}
 
 // Lifts those of `chosen`.
 void lift_edges(const Refiner& refiner, const std::vector<Index>& chosen, Lifts& lifts, Job& job) {
   parallel_chunks(chosen.size(), grain, job.threads(), [&](std::size_t begin, std::size_t end) {
     if (job.cancelled()) return;
     Members members;
-    for (std::size_t k = begin; k < end; ++k) lifts[chosen[k]] = refiner.lift(chosen[k], members);
+    for (std::size_t k = begin; k < end; ++k) lift_edge(refiner, chosen[k], members, lifts);
   });
 }
 
@@ -308,7 +314,7 @@ void protect_features(const Mesh& mesh, const MeshEdges& edges, const Refiner& r
     const MeshEdge& edge = edges.edges[e];
     const Vec3 middle = 0.5 * (mesh.vertices[edge.ends[0]] + mesh.vertices[edge.ends[1]]);
     const bool is_entered = nearest(middle).distance < edge.length / 2;
-    if (is_entered && !lifts[e]) lifts[e] = refiner.lift(e, members);
+    if (is_entered && !lifts[e]) lift_edge(refiner, e, members, lifts);
     if (!lifts[e]) continue;
     Lift& lift = *lifts[e];
     lift.wanted = lift.wanted || is_entered;

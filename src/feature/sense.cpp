@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 #include "feature/adopt.h"
 #include "feature/council.h"
@@ -97,11 +98,22 @@ void find_small_planes(const std::vector<Vec3>& points, const FacetMesh& mesh,
   adopt_planes(points, mesh, spacing, open, settled);
 }
 
+Sensed in_one_array(const Found& surfaces) {
+  Sensed sensed;
+  sensed.first.assign(1, 0);
+  sensed.first.reserve(surfaces.size() + 1);
+  for (const auto& at : surfaces)
+    sensed.first.push_back(sensed.first.back() + static_cast<Index>(at.size()));
+  sensed.surface.reserve(sensed.first.back());
+  for (const auto& at : surfaces) sensed.surface.insert(sensed.surface.end(), at.begin(), at.end());
+  return sensed;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> near_bends(const FacetMesh& mesh, std::size_t points) {
   std::vector<std::uint8_t> marked = at_bends(mesh, least_bend, points);
-  spread(mesh, 2, marked);
+  spread(mesh.facets, 2, marked);
   return marked;
 }
 
@@ -126,15 +138,10 @@ Sensed sense_surfaces(const std::vector<Vec3>& points, const FacetMesh& mesh,
     for (std::size_t v = begin; v < end; ++v)
       if (wanted[v]) council.settle(static_cast<Index>(v), settled[v]);
   });
+  release(found);
   if (roughness == 0) find_small_planes(points, mesh, spacing, wanted, open, settled, job);
   job.tick(1);
-  Sensed sensed;
-  sensed.first.assign(points.size() + 1, 0);
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    sensed.surface.insert(sensed.surface.end(), settled[v].begin(), settled[v].end());
-    sensed.first[v + 1] = static_cast<Index>(sensed.surface.size());
-  }
-  return sensed;
+  return in_one_array(settled);
 }
 
 }  // namespace arris

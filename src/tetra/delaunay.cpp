@@ -15,6 +15,7 @@
 #include <string>
 
 #include "base/failure.h"
+#include "base/memory.h"
 #include "base/parallel.h"
 
 namespace arris {
@@ -97,11 +98,32 @@ std::vector<Engine::Vertex_handle> load(const TetMesh& mesh, Engine& engine) {
   return vertices;
 }
 
-struct Numbering {
-  std::vector<Engine::Cell_handle> cells;  // in the order of the engine, their numbers within
-  std::vector<Tet> former;                 // by number: the numbers they had before
-  std::size_t finite = 0;
-};
+void load_and_insert(const TetMesh& mesh, const std::vector<Vec3>& added,
+                     const std::vector<Index>& near, Engine& engine, Job& job) {
+  constexpr std::size_t between_ticks = 4096;
+  const std::vector<Engine::Vertex_handle> vertices = load(mesh, engine);
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    if (k % between_ticks == 0)
+      job.tick(static_cast<double>(k) / static_cast<double>(added.size()));
+    const Engine::Vertex_handle v = engine.insert(to_engine(added[k]), vertices[near[k]]->cell());
+    v->info() = static_cast<Index>(mesh.points.size() + k);
+  }
+}
+
+// Calls body(k, cell) for all cells in the order of the engine, in parallel. A list of all of them
+// would take as much memory as a quarter of the mesh: they are handed out some at a time.
+template <class Body>
+void for_cells(const Engine& engine, unsigned threads, Body&& body) {
+  constexpr std::size_t at_a_time = std::size_t{1} << 16;  // they fit into the cache
+  std::vector<Engine::Cell_handle> cells;
+  cells.reserve(at_a_time);
+  std::size_t done = 0;
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); done += cells.size()) {
+    cells.clear();
+    for (; c != engine.all_cells_end() && cells.size() < at_a_time; ++c) cells.push_back(c);
+    parallel_for(cells.size(), threads, [&](std::size_t k) { body(done + k, cells[k]); });
+  }
+}
 
 // The lowest vertex; more by the number of points for an infinite cell.
 std::uint32_t sorting_key(const Engine& engine, Engine::Cell_handle c, std::size_t points) {
@@ -117,57 +139,106 @@ std::uint32_t sorting_key(const Engine& engine, Engine::Cell_handle c, std::size
 }
 
 // Tetrahedra sorted by their lowest vertex, finite ones first: neighbours in space are neighbours
-// in memory, which every later pass profits from.
-Numbering number_cells(const Engine& engine, std::size_t points, unsigned threads) {
-  Numbering numbering;
-  numbering.cells.reserve(engine.tds().number_of_cells());
-  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c)
-    numbering.cells.push_back(c);
-  std::vector<std::uint32_t> key(numbering.cells.size());
-  parallel_for(key.size(), threads,
-               [&](std::size_t k) { key[k] = sorting_key(engine, numbering.cells[k], points); });
+// in memory, which every later pass profits from. Leaves the numbers in the cells, and those that
+// they had before in `former`, by number, if it is asked for. Returns how many are finite.
+std::size_t number_cells(const Engine& engine, std::size_t points, unsigned threads,
+                         std::vector<Tet>* former) {
+  std::vector<std::uint32_t> key(engine.tds().number_of_cells());
+  if (key.size() >= most_tets)
+    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
+                  "use fewer points, or split the cloud");
+  for_cells(engine, threads,
+            [&](std::size_t k, Engine::Cell_handle c) { key[k] = sorting_key(engine, c, points); });
   std::vector<std::uint32_t> start(2 * points + 1, 0);
   for (std::uint32_t k : key) ++start[k + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  numbering.finite = start[points];
-  numbering.former.resize(key.size());
-  for (std::size_t k = 0; k < key.size(); ++k) {
-    const Tet number = start[key[k]]++;
-    numbering.former[number] = numbering.cells[k]->info().tet;
-    numbering.cells[k]->info().tet = number;
+  const std::size_t finite = start[points];
+  if (former) former->resize(key.size());
+  auto next = key.begin();
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c) {
+    const Tet number = start[*next++]++;
+    if (former) (*former)[number] = c->info().tet;
+    c->info().tet = number;
   }
-  return numbering;
+  return finite;
 }
 
-void copy_cells(const Engine& engine, const std::vector<Engine::Cell_handle>& cells,
-                unsigned threads, TetMesh& mesh) {
-  const auto infinite = engine.infinite_vertex();
-  mesh.vertices.resize(cells.size());
-  mesh.neighbours.resize(cells.size());
-  parallel_for(cells.size(), threads, [&](std::size_t k) {
-    const Tet t = cells[k]->info().tet;
-    for (int i = 0; i < 4; ++i) {
-      const auto v = cells[k]->vertex(i);
-      const auto j = static_cast<std::size_t>(i);
-      mesh.vertices[t][j] = v == infinite ? infinite_vertex : v->info();
-      mesh.neighbours[t][j] = cells[k]->neighbor(i)->info().tet;
-    }
+// A cell in flat numbers.
+struct CellCopy {
+  Tet number;
+  std::array<Index, 4> vertices;
+  std::array<Tet, 4> neighbours;
+};
+
+CellCopy copy_cell(const Engine& engine, Engine::Cell_handle c) {
+  CellCopy copy{c->info().tet, {}, {}};
+  for (int i = 0; i < 4; ++i) {
+    const auto v = c->vertex(i);
+    const auto j = static_cast<std::size_t>(i);
+    copy.vertices[j] = v == engine.infinite_vertex() ? infinite_vertex : v->info();
+    copy.neighbours[j] = c->neighbor(i)->info().tet;
+  }
+  return copy;
+}
+
+void copy_cells(const Engine& engine, unsigned threads, TetMesh& mesh) {
+  mesh.vertices.resize(engine.tds().number_of_cells());
+  mesh.neighbours.resize(mesh.vertices.size());
+  for_cells(engine, threads, [&](std::size_t, Engine::Cell_handle c) {
+    const CellCopy copy = copy_cell(engine, c);
+    mesh.vertices[copy.number] = copy.vertices;
+    mesh.neighbours[copy.number] = copy.neighbours;
   });
 }
 
-// The mesh of the engine over `points`, without its engine.
-Extension unload(const Engine& engine, std::vector<Vec3> points, std::size_t samples, Job& job) {
-  Numbering numbering = number_cells(engine, points.size(), job.threads());
-  if (numbering.cells.size() >= most_tets)
-    throw Failure(ErrorCode::out_of_memory, "more tetrahedra than 32-bit facet numbers can name",
-                  "use fewer points, or split the cloud");
-  Extension result;
-  result.former = std::move(numbering.former);
-  result.mesh.points = std::move(points);
-  result.mesh.samples = samples;
-  result.mesh.finite = numbering.finite;
-  copy_cells(engine, numbering.cells, job.threads(), result.mesh);
-  return result;
+// Those that the mesh before had not.
+std::vector<CellCopy> new_cells(const Engine& engine, const std::vector<Tet>& former) {
+  std::vector<CellCopy> cells;
+  cells.reserve(static_cast<std::size_t>(std::count(former.begin(), former.end(), no_tet)));
+  for (auto c = engine.all_cells_begin(); c != engine.all_cells_end(); ++c)
+    if (former[c->info().tet] == no_tet) cells.push_back(copy_cell(engine, c));
+  return cells;
+}
+
+// The corner of the tetrahedron with these vertices that is beyond facet i of `tet`.
+std::size_t corner_beyond(const std::array<Index, 4>& vertices, const CellCopy& tet,
+                          std::size_t i) {
+  const auto shared = [&](Index v) {
+    for (std::size_t j = 0; j < 4; ++j)
+      if (j != i && tet.vertices[j] == v) return true;
+    return false;
+  };
+  std::size_t corner = 0;
+  while (corner < 3 && shared(vertices[corner])) ++corner;
+  return corner;
+}
+
+// The tetrahedra of an extension from those that it had `before`, under new numbers, and the
+// `added` ones: the engine, which takes more memory than both meshes, need not be there.
+void assemble(const TetMesh& before, const std::vector<CellCopy>& added, unsigned threads,
+              Extension& extension) {
+  const std::vector<Tet>& former = extension.former;
+  TetMesh& mesh = extension.mesh;
+  std::vector<Tet> now(before.size(), no_tet);
+  for (Tet t = 0; t < former.size(); ++t)
+    if (former[t] != no_tet) now[former[t]] = t;
+  mesh.vertices.resize(former.size());
+  mesh.neighbours.resize(former.size());
+  parallel_for(former.size(), threads, [&](std::size_t t) {
+    if (former[t] == no_tet) return;
+    mesh.vertices[t] = before.vertices[former[t]];
+    for (std::size_t i = 0; i < 4; ++i)
+      mesh.neighbours[t][i] = now[before.neighbours[former[t]][i]];
+  });
+  for (const CellCopy& tet : added) {
+    mesh.vertices[tet.number] = tet.vertices;
+    mesh.neighbours[tet.number] = tet.neighbours;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Tet n = tet.neighbours[i];
+      if (former[n] != no_tet)
+        mesh.neighbours[n][corner_beyond(mesh.vertices[n], tet, i)] = tet.number;
+    }
+  }
 }
 
 }  // namespace
@@ -184,24 +255,30 @@ TetMesh delaunay(std::vector<Vec3> points, std::size_t samples, Job& job) {
                       ", so they bound no volume",
                   "scan the object from more sides, or give a cloud that is not flat");
   }
-  return unload(engine, std::move(points), samples, job).mesh;
+  TetMesh mesh;
+  mesh.finite = number_cells(engine, points.size(), job.threads(), nullptr);
+  copy_cells(engine, job.threads(), mesh);
+  mesh.points = std::move(points);
+  mesh.samples = samples;
+  return mesh;
 }
 
 Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
                      const std::vector<Index>& near, Job& job) {
-  constexpr std::size_t between_ticks = 4096;
+  return_free_memory();  // the small pieces that sensing freed are of no use to an engine
   Engine engine;
-  const std::vector<Engine::Vertex_handle> vertices = load(mesh, engine);
-  for (std::size_t k = 0; k < added.size(); ++k) {
-    if (k % between_ticks == 0)
-      job.tick(static_cast<double>(k) / static_cast<double>(added.size()));
-    const Engine::Vertex_handle v = engine.insert(to_engine(added[k]), vertices[near[k]]->cell());
-    v->info() = static_cast<Index>(mesh.points.size() + k);
-  }
-  std::vector<Vec3> points = mesh.points;
-  points.insert(points.end(), added.begin(), added.end());
-  const std::size_t samples = points.size();
-  return unload(engine, std::move(points), samples, job);
+  load_and_insert(mesh, added, near, engine, job);
+  Extension result;
+  TetMesh& next = result.mesh;
+  next.samples = mesh.points.size() + added.size();
+  next.finite = number_cells(engine, next.samples, job.threads(), &result.former);
+  const std::vector<CellCopy> cells = new_cells(engine, result.former);
+  engine.clear();
+  assemble(mesh, cells, job.threads(), result);
+  next.points.reserve(next.samples);
+  next.points = mesh.points;
+  next.points.insert(next.points.end(), added.begin(), added.end());
+  return result;
 }
 
 }  // namespace arris

@@ -9,7 +9,8 @@
 
 namespace arris {
 
-// Those of point v in increasing order. O(points + triangles).
+// Those of point v in increasing order. 32-bit numbers: the triangles of a surface over the points
+// of a TetMesh have fewer corners than that. O(points + triangles).
 class FacetStars {
  public:
   FacetStars() = default;
@@ -19,7 +20,7 @@ class FacetStars {
   }
 
  private:
-  std::vector<std::size_t> start_;
+  std::vector<Index> start_;
   std::vector<Index> facets_;
 };
 

@@ -56,7 +56,7 @@ TEST(Adopt, PlanesComeBackFromWhatIsRound) {
   KnownCube cube;
   std::vector<std::uint8_t> hole(cube.open.size(), 0);
   hole[7] = 1;
-  spread(cube.surface.facets, 3, hole);
+  spread(cube.surface.facets.facets, 3, hole);
   for (Index v = 0; v < hole.size(); ++v)
     if (hole[v] || v % 3 == 0) cube.forget(v);
   cube.adopt();

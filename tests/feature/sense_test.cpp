@@ -112,7 +112,7 @@ TEST(FacetMesh, MarksSpreadRingByRing) {
   const auto marks_after = [&](int rings) {
     std::vector<std::uint8_t> marked(12, 0);
     marked[0] = 1;
-    spread(mesh, rings, marked);
+    spread(mesh.facets, rings, marked);
     return std::count(marked.begin(), marked.end(), 1);
   };
   EXPECT_EQ(marks_after(0), 1);
