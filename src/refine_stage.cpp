@@ -10,8 +10,8 @@
 #include "feature/mesh_edges.h"
 #include "feature/refine.h"
 #include "seed/lifted.h"
+#include "seed/parity_forest.h"
 #include "surface/extract.h"
-#include "surface/mesh_topology.h"
 #include "swap/flat.h"
 #include "swap/swap.h"
 #include "tetra/delaunay.h"
@@ -44,10 +44,21 @@ struct Topology {
   bool operator==(const Topology&) const = default;
 };
 
-Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
-  const MeshTopology topology =
-      build_topology(stage.mesh.points.size(), boundary_triangles(stage.mesh, labels), job);
-  return {topology.components, topology.euler};
+// Of the boundary of the labels, which must be a 2-manifold.
+Topology topology_of(const Stage& stage, const Labels& labels) {
+  const std::vector<Triangle> triangles = boundary_triangles(stage.mesh, labels);
+  std::vector<std::uint8_t> used(stage.mesh.points.size(), 0);
+  ParityForest joined(used.size());
+  std::size_t vertices = 0, joins = 0;
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertices += !std::exchange(used[t[i]], std::uint8_t{1});
+      if (i == 0 || joined.find(t[0]).node == joined.find(t[i]).node) continue;
+      joined.join(t[0], t[i], false);
+      ++joins;
+    }
+  return {vertices - joins,
+          static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(triangles.size() / 2)};
 }
 
 // The stage with the added points among its own.
@@ -127,6 +138,7 @@ void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job)
   options.keep_samples = report.options.keep_samples;
   options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
   options.settled.assign(stage.mesh.size(), 1);
+  options.with_energy = false;
   for (std::size_t t = 0; t < stage.mesh.finite; ++t) {
     const auto& corners = stage.mesh.vertices[t];
     const auto all = [&](const auto& marked) {
@@ -165,13 +177,13 @@ std::vector<RefinePoint> wanted_points(const RefineWish& wish, const Stage& stag
 // Returns the number of points added.
 std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& samples, Stage& stage,
                            Labels& labels, Report& report, Job& job) {
-  const Topology wanted = topology_of(stage, labels, job);
+  const Topology wanted = topology_of(stage, labels);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
     Report trial = report;
     SurfaceCut cut = cut_manifold(next, {}, trial, job);
     trial.cut_energy.push_back(cut.energy);
-    if (topology_of(next, cut.labels, job) == wanted) {
+    if (topology_of(next, cut.labels) == wanted) {
       stage = std::move(next);
       labels = std::move(cut.labels);
       report = std::move(trial);
