@@ -45,12 +45,13 @@ class Labeller {
         spacing_(spacing),
         entry_(star_seeds(coarse)) {}
 
-  void label(Tet t, const Circumball& ball, Seeds& seeds) const {
+  void label(Tet t, Seeds& seeds) const {
     if (former_[t] != no_tet) {
       seeds.label[t] = labels_[former_[t]];
       seeds.firm[t] = 1;
       return;
     }
+    const Circumball ball = circumball(fine_, t);
     const double h = mean_spacing(fine_, spacing_, t);
     const TetBase base = largest_base(fine_, t);
     if (base.height < bulge_height * h && longest_edge(fine_, t) < bulge_length * h &&
@@ -113,7 +114,6 @@ Seeds lifted_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
                    const std::vector<LiftedPoint>& lifted, const std::vector<double>& spacing,
                    Job& job) {
   job.tick(0);
-  const std::vector<Circumball> balls = circumballs(fine, job.threads());
   const Labeller labeller(coarse, labels, fine, former, lifted, spacing);
   Seeds result;
   result.contradiction = seeds.contradiction;
@@ -122,7 +122,7 @@ Seeds lifted_seeds(const TetMesh& coarse, const Labels& labels, const Seeds& see
   result.firm.assign(fine.finite, 0);
   result.hint.assign(fine.finite, 0);
   parallel_for(fine.finite, job.threads(),
-               [&](std::size_t t) { labeller.label(static_cast<Tet>(t), balls[t], result); });
+               [&](std::size_t t) { labeller.label(static_cast<Tet>(t), result); });
   return result;
 }
 
