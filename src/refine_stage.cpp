@@ -10,8 +10,8 @@
 #include "feature/mesh_edges.h"
 #include "feature/refine.h"
 #include "seed/lifted.h"
+#include "seed/parity_forest.h"
 #include "surface/extract.h"
-#include "surface/mesh_topology.h"
 #include "swap/flat.h"
 #include "swap/swap.h"
 #include "tetra/delaunay.h"
@@ -44,10 +44,21 @@ struct Topology {
   bool operator==(const Topology&) const = default;
 };
 
-Topology topology_of(const Stage& stage, const Labels& labels, Job& job) {
-  const MeshTopology topology =
-      build_topology(stage.mesh.points.size(), boundary_triangles(stage.mesh, labels), job);
-  return {topology.components, topology.euler};
+// Of the boundary of the labels, which must be a 2-manifold.
+Topology topology_of(const Stage& stage, const Labels& labels) {
+  const std::vector<Triangle> triangles = boundary_triangles(stage.mesh, labels);
+  std::vector<std::uint8_t> used(stage.mesh.points.size(), 0);
+  ParityForest joined(used.size());
+  std::size_t vertices = 0, joins = 0;
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertices += !std::exchange(used[t[i]], std::uint8_t{1});
+      if (i == 0 || joined.find(t[0]).node == joined.find(t[i]).node) continue;
+      joined.join(t[0], t[i], false);
+      ++joins;
+    }
+  return {vertices - joins,
+          static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(triangles.size() / 2)};
 }
 
 // The stage with the added points among its own.
@@ -115,10 +126,24 @@ std::vector<std::uint8_t> at_bends(const Mesh& surface, const MeshEdges& edges, 
   return bent;
 }
 
-// Swaps where the surface turns sharply, and on from what they change. Beside features the cut
-// leaves needles that stand up, as their area is next to nothing, and flat ones folded over.
-// Elsewhere swaps would undo what the new points gain: they trade round triangles for flat ones.
-void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job) {
+// 1 at the points from `known` on and at those that share a tetrahedron with one.
+std::vector<std::uint8_t> near_added(const TetMesh& mesh, std::size_t known) {
+  std::vector<std::uint8_t> near(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < mesh.finite; ++t) {
+    const auto& corners = mesh.vertices[t];
+    if (std::any_of(corners.begin(), corners.end(), [&](Index v) { return v >= known; }))
+      for (Index v : corners) near[v] = 1;
+  }
+  return near;
+}
+
+// Swaps where the surface turns sharply and is new, and on from what they change. Beside features
+// the cut leaves needles that stand up, as their area is next to nothing, and flat ones folded
+// over. Elsewhere swaps would undo what the new points gain: they trade round triangles for flat
+// ones. Far from the points added to the `known` ones they have been made before.
+void swap_at_bends(const Stage& stage, std::size_t known, Labels& labels, Report& report,
+                   Job& job) {
+  const std::vector<std::uint8_t> near = near_added(stage.mesh, known);
   const Mesh surface = surface_of(stage, labels);
   const MeshEdges edges = collect_edges(surface, job);
   const auto bent = at_bends(surface, edges, sharp_turning);
@@ -127,13 +152,17 @@ void swap_at_bends(const Stage& stage, Labels& labels, Report& report, Job& job)
   options.keep_samples = report.options.keep_samples;
   options.frozen = flat_tetrahedra(stage.mesh, stage.model.spacing, job.threads());
   options.settled.assign(stage.mesh.size(), 1);
+  options.with_energy = false;
   for (std::size_t t = 0; t < stage.mesh.finite; ++t) {
     const auto& corners = stage.mesh.vertices[t];
     const auto all = [&](const auto& marked) {
       return std::all_of(corners.begin(), corners.end(), [&](Index v) { return marked[v] != 0; });
     };
-    if (all(bent)) options.settled[t] = 0;
-    if (all(folded)) options.frozen[t] = 0;
+    const bool is_folded = all(folded);
+    const bool is_near =
+        std::any_of(corners.begin(), corners.end(), [&](Index v) { return near[v] != 0; });
+    if (is_folded || (is_near && all(bent))) options.settled[t] = 0;
+    if (is_folded) options.frozen[t] = 0;
   }
   report.swaps += swap_tetrahedra(stage.mesh, stage.model, options, labels, job).accepted;
 }
@@ -165,13 +194,13 @@ std::vector<RefinePoint> wanted_points(const RefineWish& wish, const Stage& stag
 // Returns the number of points added.
 std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& samples, Stage& stage,
                            Labels& labels, Report& report, Job& job) {
-  const Topology wanted = topology_of(stage, labels, job);
+  const Topology wanted = topology_of(stage, labels);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
     Report trial = report;
     SurfaceCut cut = cut_manifold(next, {}, trial, job);
     trial.cut_energy.push_back(cut.energy);
-    if (topology_of(next, cut.labels, job) == wanted) {
+    if (topology_of(next, cut.labels) == wanted) {
       forget_evidence(next);
       stage = std::move(next);
       labels = std::move(cut.labels);
@@ -187,6 +216,7 @@ std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& sample
 
 std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels, Report& report,
                            Job& job) {
+  const std::size_t known = stage.mesh.points.size();
   std::size_t added = 0;
   for (const RefineWish& wish : {RefineWish{}, RefineWish{.least_sag = second_sag}}) {
     const std::size_t more = add_to_surface(wanted_points(wish, stage, labels, job), samples, stage,
@@ -194,7 +224,7 @@ std::size_t refine_surface(const Samples& samples, Stage& stage, Labels& labels,
     if (more == 0) break;
     added += more;
   }
-  if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
+  if (added > 0 && report.options.swap) swap_at_bends(stage, known, labels, report, job);
   return added;
 }
 
@@ -205,8 +235,9 @@ std::size_t fill_gaps(const Samples& samples, Stage& stage, Labels& labels, Repo
   if (2 * count_gaps(surface_of(stage, labels), stage.model.spacing) < least) return 0;
   std::vector<RefinePoint> wanted = wanted_points(gaps, stage, labels, job);
   if (wanted.size() < least) return 0;
+  const std::size_t known = stage.mesh.points.size();
   const std::size_t added = add_to_surface(std::move(wanted), samples, stage, labels, report, job);
-  if (added > 0 && report.options.swap) swap_at_bends(stage, labels, report, job);
+  if (added > 0 && report.options.swap) swap_at_bends(stage, known, labels, report, job);
   return added;
 }
 

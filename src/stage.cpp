@@ -23,22 +23,45 @@
 namespace arris {
 namespace {
 
-// The surface that was sensed on, and what was sensed.
+// The surface that was sensed on, where, and what was sensed.
 struct SensedFacets {
   std::vector<Triangle> facets;
+  std::vector<std::uint8_t> wanted;  // per point: 1 where it was sensed
   Sensed surfaces;
 };
 
-// Everywhere at first; then only round the features that were found, where the surface is new.
-std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, std::size_t points,
-                                          std::size_t samples) {
-  constexpr int rings = 3;  // what a corner that is still missing has round it
+// Marks the corners of facets that do not lie along a known side of each of their corners: the
+// surface does not follow what was sensed, or nothing was.
+std::vector<std::uint8_t> at_open_facets(const FacetMesh& facets, const Sides& sides) {
+  constexpr double along = 0.95;  // cosine; the surfaces of a feature differ by 20 degrees and more
+  std::vector<std::uint8_t> open(sides.first.size() - 1, 0);
+  for (std::size_t f = 0; f < facets.facets.size(); ++f) {
+    const Vec3 normal = facets.normal[f];
+    const auto has_side = [&](Index v) {
+      const auto of_v = sides.at(v);
+      return std::any_of(of_v.begin(), of_v.end(), [&](Vec3 n) { return dot(n, normal) > along; });
+    };
+    const Triangle& t = facets.facets[f];
+    if (normal == Vec3{} || std::all_of(t.begin(), t.end(), has_side)) continue;
+    for (Index v : t) open[v] = 1;
+  }
+  return open;
+}
+
+// Everywhere at first; then only round the features that were found, where the surface is new, and
+// only where it does not follow yet what was sensed. Measured on five clouds: with two, three or
+// four rings as many features are found as everywhere, to five in a thousand.
+std::vector<std::uint8_t> places_to_sense(const FacetMesh& facets, const Sides& sides,
+                                          std::size_t points, std::size_t samples) {
+  constexpr int new_rings = 3, open_rings = 2;
   std::vector<std::uint8_t> wanted = near_bends(facets, points);
   if (points == samples) return wanted;
-  std::vector<std::uint8_t> fresh(points, 0);
+  std::vector<std::uint8_t> fresh(points, 0), open = at_open_facets(facets, sides);
   std::fill(fresh.begin() + static_cast<std::ptrdiff_t>(samples), fresh.end(), 1);
-  spread(facets.facets, rings, fresh);
-  for (std::size_t v = 0; v < points; ++v) wanted[v] = wanted[v] && fresh[v];
+  spread(facets.facets, new_rings, fresh);
+  for (std::size_t v = 0; v < points; ++v) open[v] = open[v] && wanted[v] && fresh[v];
+  spread(facets.facets, open_rings, open);
+  for (std::size_t v = 0; v < points; ++v) wanted[v] = wanted[v] && fresh[v] && open[v];
   return wanted;
 }
 
@@ -56,17 +79,24 @@ SensedFacets sense_features(const Stage& stage, const Labels& labels, std::size_
                             std::vector<FeaturePoint>& features, Job& job) {
   const std::vector<Vec3>& points = stage.mesh.points;
   FacetMesh mesh(boundary_triangles(stage.mesh, labels), points, job.threads());
-  Sensed sensed = sense_surfaces(points, mesh, stage.model.spacing,
-                                 places_to_sense(mesh, points.size(), samples),
-                                 surfaces_of(features), stage.roughness, job);
+  std::vector<std::uint8_t> wanted =
+      places_to_sense(mesh, stage.model.sides, points.size(), samples);
+  Sensed sensed = sense_surfaces(points, mesh, stage.model.spacing, wanted, surfaces_of(features),
+                                 stage.roughness, job);
   insert_feature_points(points, samples, mesh, stage.model.spacing, sensed, refused, features, job);
-  return {std::move(mesh.facets), std::move(sensed)};
+  return {std::move(mesh.facets), std::move(wanted), std::move(sensed)};
 }
 
-Sides sides_of(const std::vector<Vec3>& points, const SurfacesAt& surfaces_at) {
+// Where nothing was sensed anew (`wanted`), those `known` before.
+Sides sides_of(const std::vector<Vec3>& points, const SurfacesAt& surfaces_at, const Sides& known,
+               const std::vector<std::uint8_t>& wanted, std::size_t samples) {
   Sides sides;
   sides.first.push_back(0);
   for (Index v = 0; v < points.size(); ++v) {
+    if (v < samples && !wanted[v] && !known.first.empty()) {
+      const auto former = known.at(v);
+      sides.normal.insert(sides.normal.end(), former.begin(), former.end());
+    }
     for (const LocalSurface& s : surfaces_at(v)) sides.normal.push_back(s.normal(points[v]));
     sides.first.push_back(static_cast<Index>(sides.normal.size()));
   }
@@ -207,7 +237,7 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
     next.model.spacing.push_back(features[k].spacing);
   }
   Extension extension = add_points(stage.mesh, added, near, job);
-  // At the samples as sensed, at the features as they were made.
+  // At the samples as sensed now, at the features as they were made.
   const SurfacesAt surfaces_at = [&](Index v) {
     return v < samples ? sensed.surfaces.at(v)
                        : std::span<const LocalSurface>(features[v - samples].surfaces);
@@ -219,7 +249,8 @@ Stage add_features(const Stage& stage, const Labels& labels, const Samples& give
                extension, job.threads());
   next.mesh = std::move(extension.mesh);
   next.stars = Stars(next.mesh);
-  next.model.sides = sides_of(next.mesh.points, surfaces_at);
+  next.model.sides =
+      sides_of(next.mesh.points, surfaces_at, stage.model.sides, sensed.wanted, samples);
   next.seeds = follow_seeds(stage.mesh, labels, stage.seeds, next.mesh, extension.former, near,
                             next.model.spacing, far, known_seeds, job);
   extend_across_gaps(next.mesh, features, known, next.seeds);

@@ -2,6 +2,7 @@
 // measured in units of the local sample spacing h, so λ means the same at every scale.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "arris/options.h"
@@ -14,6 +15,10 @@ namespace arris {
 struct Sides {
   std::vector<Vec3> normal;
   std::vector<Index> first;
+
+  std::span<const Vec3> at(Index v) const noexcept {
+    return {normal.data() + first[v], normal.data() + first[v + 1]};
+  }
 };
 
 // The parameters of E that every stage shares. A facet f of area S and mean distance d costs

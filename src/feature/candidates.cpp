@@ -121,7 +121,7 @@ struct Face {
 // Collects the faces round one facet after another, and keeps its memory from each to the next.
 class FaceFinder {
  public:
-  explicit FaceFinder(const Crossing& crossing) : c_(crossing) {}
+  explicit FaceFinder(const Crossing& crossing) : c_(crossing), ring_(crossing.points.size()) {}
 
   // The distinct surfaces at the corners of a facet and of its neighbours, and the planes one ring
   // farther: quadrics do not hold there. Good until the next call.
@@ -132,10 +132,7 @@ class FaceFinder {
     add_corners(f);
     for (Index g : c_.mesh.neighbours[f]) add_corners(g);
     const std::size_t inner = near_.size();
-    for (std::size_t k = 0; k < inner; ++k) {
-      const Seen from = near_[k];
-      for (Index g : c_.mesh.star_near(from.point, from.facet, buffer_)) add_corners(g);
-    }
+    for (std::size_t k = 0; k < inner; ++k) add_ring(near_[k]);
     for (std::size_t k = 0; k < near_.size(); ++k)
       for_sides(c_, near_[k].point, near_[k].facet, [&](const Side& s) {
         if (k < inner || s.surface->is_plane()) add(s);
@@ -144,9 +141,36 @@ class FaceFinder {
   }
 
  private:
+  struct Run {
+    Index begin = 0, size = 0;
+  };
   void add_corners(Index f) {
     for (Index v : c_.mesh.facets[f])
       if (seen_.insert(v)) near_.push_back({v, f});
+  }
+
+  // The ring of a point is asked for from all facets round it, and kept. That of a point of very
+  // many facets depends on where one comes from.
+  void add_ring(const Seen& from) {
+    if (c_.mesh.star(from.point).size() > most_round) {
+      for (Index g : c_.mesh.star_near(from.point, from.facet, buffer_)) add_corners(g);
+      return;
+    }
+    Run& ring = ring_[from.point];
+    if (ring.size == 0) ring = collect_ring(from.point);
+    for (Index k = ring.begin; k < ring.begin + ring.size; ++k)
+      if (seen_.insert(rings_[k].point)) near_.push_back(rings_[k]);
+  }
+
+  // In the order in which the facets of its star name them.
+  Run collect_ring(Index v) {
+    const std::size_t begin = rings_.size();
+    for (Index g : c_.mesh.star(v))
+      for (Index w : c_.mesh.facets[g])
+        if (w != v && std::none_of(rings_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   rings_.end(), [w](const Seen& s) { return s.point == w; }))
+          rings_.push_back({w, g});
+    return {static_cast<Index>(begin), static_cast<Index>(rings_.size() - begin)};
   }
 
   void add(const Side& s) {
@@ -163,6 +187,8 @@ class FaceFinder {
   std::vector<Seen> near_;
   SmallSet seen_;
   std::vector<Index> buffer_;
+  std::vector<Run> ring_;  // per point: its part of rings_, none if not yet known
+  std::vector<Seen> rings_;
   std::vector<Face> faces_;  // the first count_ are in use
   std::size_t count_ = 0;
 };

@@ -145,22 +145,15 @@ void PatchFit::refit(double width) {
 // them, as it takes no branches.
 double PatchFit::median_residual() const {
   const auto rank = static_cast<std::ptrdiff_t>(residual_.size() / 2);
-  double above = -1, below = std::numeric_limits<double>::infinity();
+  double median = -1, above = std::numeric_limits<double>::infinity();
   for (const double pivot : residual_) {
-    if (pivot <= above || pivot >= below) continue;
-    std::ptrdiff_t less = 0, equal = 0;
-    for (const double r : residual_) {
-      less += r < pivot;
-      equal += r == pivot;
-    }
-    if (less > rank)
-      below = pivot;
-    else if (less + equal <= rank)
-      above = pivot;
-    else
-      return pivot;
+    if (pivot <= median || pivot >= above) continue;
+    std::ptrdiff_t less = 0;
+    for (const double r : residual_) less += r < pivot;
+    if (less == rank) return pivot;
+    (less < rank ? median : above) = pivot;  // of equal ones the largest that has few enough below
   }
-  return below;  // of what is no number
+  return median >= 0 ? median : above;  // of what is no number
 }
 
 bool PatchFit::is_plane() {

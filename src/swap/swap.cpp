@@ -58,13 +58,15 @@ class Swapper {
       : mesh_(mesh),
         model_(model),
         descent_(mesh, model, options, labels),
+        with_energy_(options.with_energy),
         job_(job),
         flips_(mesh.finite),
         chains_(mesh.finite),
         seen_(mesh.size(), 0) {}
 
   SwapResult run() {
-    energy_ = energy_of(descent_.fidelity(), descent_.boundary().labels(), job_.threads());
+    if (with_energy_)
+      energy_ = energy_of(descent_.fidelity(), descent_.boundary().labels(), job_.threads());
     result_.energy.push_back(energy_);
     push_promising();
     while (!flips_.empty() || !chains_.empty()) {
@@ -155,6 +157,7 @@ class Swapper {
   const TetMesh& mesh_;
   const EnergyModel& model_;
   Descent descent_;
+  bool with_energy_;
   Job& job_;
   Queue flips_, chains_;
   std::vector<std::uint8_t> seen_;  // marks of push_star, all 0 between calls

@@ -19,10 +19,13 @@ struct SwapOptions {
   // Tetrahedra (1) for which moves were sought before: they wait until one is made beside them. Or
   // empty.
   std::vector<std::uint8_t> settled;
+  // Whether to report E: it takes a look at the whole boundary.
+  bool with_energy = true;
 };
 
 struct SwapResult {
-  std::vector<double> energy;  // E before the first round and after each; never increases
+  // E before the first round and after each; never increases. Without E: what it lost since.
+  std::vector<double> energy;
   std::uint64_t accepted = 0;  // moves
   std::uint64_t flipped = 0;   // tetrahedra, counted once per flip
 };

@@ -189,6 +189,19 @@ TEST(Swap, SettledTetrahedraWaitForAMoveBesideThem) {
             0.25 * (all.energy.front() - all.energy.back()));
 }
 
+TEST(Swap, MakesTheSameMovesWithoutE) {
+  const Scene scene = make_scene(test::cube(0.1), Curvature::polyhedral, 4);
+  SwapOptions options;
+  options.with_energy = false;
+  Labels with = scene.labels, without = scene.labels;
+  const SwapResult measured = run(scene, with), result = run(scene, without, options);
+  EXPECT_EQ(without, with);
+  EXPECT_GT(result.accepted, 0u);
+  ASSERT_EQ(result.energy.size(), measured.energy.size());
+  EXPECT_EQ(result.energy.front(), 0);
+  EXPECT_NEAR(result.energy.back(), measured.energy.back() - measured.energy.front(), 1e-9);
+}
+
 TEST(Swap, IsDeterministicAndReachesAFixedPoint) {
   const Scene scene = make_scene(test::two_cubes(0.1), Curvature::polyhedral, 4);
   Labels first = scene.labels, second = scene.labels;
