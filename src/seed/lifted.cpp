@@ -51,7 +51,6 @@ class Labeller {
       seeds.firm[t] = 1;
       return;
     }
-    const Circumball ball = circumball(fine_, t);
     const double h = mean_spacing(fine_, spacing_, t);
     const TetBase base = largest_base(fine_, t);
     const Circumball ball = circumball(fine_, t);
