@@ -34,6 +34,7 @@ class Sites {
   Sites(const std::vector<Vec3>& points, const NearestSample& tree, std::vector<Vec3> at);
 
   std::size_t size() const noexcept { return at_.size(); }
+  Vec3 at(std::size_t i) const noexcept { return at_[i]; }
 
   // Those whose curves are pooled at site i, itself the first.
   void find_near(std::size_t i, std::vector<NearestSample::Hit>& hits) const;

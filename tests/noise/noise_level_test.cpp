@@ -33,6 +33,12 @@ std::vector<double> sorted_levels(const std::vector<Vec3>& points, unsigned thre
   return level;
 }
 
+Mesh narrow_bars() {
+  return box_complex({{{-3, -0.5, -0.5}, {3, 0.5, 0.5}},
+                      {{-0.5, -3, 1.5}, {0.5, 3, 2.5}},
+                      {{1.5, -0.5, -3}, {2.5, 0.5, -0.5}}});
+}
+
 std::vector<Vec3> rounded_to_float(std::vector<Vec3> points) {
   const auto round = [](double x) { return static_cast<double>(static_cast<float>(x)); };
   for (Vec3& p : points) p = {round(p.x), round(p.y), round(p.z)};
@@ -104,9 +110,7 @@ TEST(NoiseLevel, ShowsItselfOnPlanesFromAFewHundredthsOfTheSpacing) {
 
 // Bars of a few spacings leave hardly a place where a neighbourhood of 24 is flat.
 TEST(NoiseLevel, IsFoundOnNarrowBars) {
-  const Mesh bars = box_complex({{{-3, -0.5, -0.5}, {3, 0.5, 0.5}},
-                                 {{-0.5, -3, 1.5}, {0.5, 3, 2.5}},
-                                 {{1.5, -0.5, -3}, {2.5, 0.5, -0.5}}});
+  const Mesh bars = narrow_bars();
   for (const double width : {4.5, 5.0, 5.5}) {
     std::vector<Vec3> points = sample_blue(bars, samples_at_spacing(area(bars), 1 / width), 1);
     EXPECT_EQ(sorted_levels(points).back(), 0) << width;
@@ -115,6 +119,48 @@ TEST(NoiseLevel, IsFoundOnNarrowBars) {
     const std::vector<double> level = sorted_levels(points);
     EXPECT_NEAR(level[level.size() / 2] / sigma, 1, 0.35) << width;
   }
+}
+
+// Edges and narrow faces raise what single places show, to 1.6 times the noise here.
+TEST(NoiseLevel, IsNotRaisedByNarrowFaces) {
+  const Mesh bars = narrow_bars();
+  for (const double width : {7.0, 8.0, 9.0})
+    for (const double share : {0.15, 0.25}) {
+      std::vector<Vec3> points = sample_blue(bars, samples_at_spacing(area(bars), 1 / width), 1);
+      const double sigma = share / width;
+      add_noise(points, sigma, 2);
+      const std::vector<double> level = sorted_levels(points);
+      EXPECT_GT(level[level.size() / 10] / sigma, 0.85) << width << " " << share;
+      EXPECT_NEAR(level[level.size() / 2] / sigma, 1, 0.08) << width << " " << share;
+      EXPECT_LT(level.back() / sigma, 1.25) << width << " " << share;
+    }
+}
+
+// One half of a cube has twice the noise of the other; in between levels may be either.
+TEST(NoiseLevel, TwoLevelsStayApart) {
+  const std::vector<Vec3> clean = sample_blue(cube().mesh, 12000, 1);
+  const double sigma = 0.1 * ideal_spacing(area(cube().mesh), 12000);
+  double middle = 0;
+  for (Vec3 p : clean) middle += p.x / static_cast<double>(clean.size());
+  std::vector<Vec3> points = clean, noisier = clean;
+  add_noise(points, sigma, 2);
+  add_noise(noisier, 2 * sigma, 2);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (clean[i].x > middle) points[i] = noisier[i];
+  OneStageJob job;
+  const std::vector<double> level = estimate_noise(points, NearestSample(points), job);
+  const double belt = 0.12 * diagonal(cube().mesh);
+  std::vector<double> low, high;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (clean[i].x < middle - belt) low.push_back(level[i] / sigma);
+    if (clean[i].x > middle + belt) high.push_back(level[i] / sigma);
+  }
+  std::sort(low.begin(), low.end());
+  std::sort(high.begin(), high.end());
+  EXPECT_GT(low.front(), 0.7);
+  EXPECT_LT(low.back(), 1.3);
+  EXPECT_GT(high[high.size() / 50], 1.3);
+  EXPECT_NEAR(high[high.size() / 2], 2, 0.3);
 }
 
 TEST(NoiseLevel, LargerThanTheSpacing) {
