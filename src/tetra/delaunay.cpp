@@ -98,16 +98,26 @@ std::vector<Engine::Vertex_handle> load(const TetMesh& mesh, Engine& engine) {
   return vertices;
 }
 
-void load_and_insert(const TetMesh& mesh, const std::vector<Vec3>& added,
-                     const std::vector<Index>& near, Engine& engine, Job& job) {
+// Per point its name in the engine: itself, unless an added point lies exactly there.
+using Names = std::vector<Index>;
+
+Names load_and_insert(const TetMesh& mesh, const std::vector<Vec3>& added,
+                      const std::vector<Index>& near, Engine& engine, Job& job) {
   constexpr std::size_t between_ticks = 4096;
   const std::vector<Engine::Vertex_handle> vertices = load(mesh, engine);
+  Names names(mesh.points.size());
+  std::iota(names.begin(), names.end(), Index{0});
   for (std::size_t k = 0; k < added.size(); ++k) {
     if (k % between_ticks == 0)
       job.tick(static_cast<double>(k) / static_cast<double>(added.size()));
+    const std::size_t before = engine.number_of_vertices();
     const Engine::Vertex_handle v = engine.insert(to_engine(added[k]), vertices[near[k]]->cell());
-    v->info() = static_cast<Index>(mesh.points.size() + k);
+    const auto name = static_cast<Index>(mesh.points.size() + k);
+    if (engine.number_of_vertices() == before)
+      std::replace(names.begin(), names.end(), v->info(), name);
+    v->info() = name;
   }
+  return names;
 }
 
 // Calls body(k, cell) for all cells in the order of the engine, in parallel. A list of all of them
@@ -215,8 +225,8 @@ std::size_t corner_beyond(const std::array<Index, 4>& vertices, const CellCopy& 
 
 // The tetrahedra of an extension from those that it had `before`, under new numbers, and the
 // `added` ones: the engine, which takes more memory than both meshes, need not be there.
-void assemble(const TetMesh& before, const std::vector<CellCopy>& added, unsigned threads,
-              Extension& extension) {
+void assemble(const TetMesh& before, const Names& names, const std::vector<CellCopy>& added,
+              unsigned threads, Extension& extension) {
   const std::vector<Tet>& former = extension.former;
   TetMesh& mesh = extension.mesh;
   std::vector<Tet> now(before.size(), no_tet);
@@ -226,9 +236,11 @@ void assemble(const TetMesh& before, const std::vector<CellCopy>& added, unsigne
   mesh.neighbours.resize(former.size());
   parallel_for(former.size(), threads, [&](std::size_t t) {
     if (former[t] == no_tet) return;
-    mesh.vertices[t] = before.vertices[former[t]];
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index v = before.vertices[former[t]][i];
+      mesh.vertices[t][i] = v == infinite_vertex ? v : names[v];
       mesh.neighbours[t][i] = now[before.neighbours[former[t]][i]];
+    }
   });
   for (const CellCopy& tet : added) {
     mesh.vertices[tet.number] = tet.vertices;
@@ -267,14 +279,14 @@ Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
                      const std::vector<Index>& near, Job& job) {
   return_free_memory();  // the small pieces that sensing freed are of no use to an engine
   Engine engine;
-  load_and_insert(mesh, added, near, engine, job);
+  const Names names = load_and_insert(mesh, added, near, engine, job);
   Extension result;
   TetMesh& next = result.mesh;
   next.samples = mesh.points.size() + added.size();
   next.finite = number_cells(engine, next.samples, job.threads(), &result.former);
   const std::vector<CellCopy> cells = new_cells(engine, result.former);
   engine.clear();
-  assemble(mesh, cells, job.threads(), result);
+  assemble(mesh, names, cells, job.threads(), result);
   next.points.reserve(next.samples);
   next.points = mesh.points;
   next.points.insert(next.points.end(), added.begin(), added.end());

@@ -24,10 +24,11 @@ struct Extension {
 };
 
 // The Delaunay tetrahedralization of the points of `mesh`, which delaunay() gave, and of `added`,
-// finite and distinct from those: as delaunay() of all of them, all samples, but for the order of
-// tetrahedra that share their lowest vertex. near[k]: a point of `mesh` beside added[k], from where
-// its place is sought. Throws Failure(cancelled).
-// Complexity: O(size of the mesh), with a small factor, and O(1) expected for each added point.
+// finite: as delaunay() of all of them, all samples, but for the order of tetrahedra that share
+// their lowest vertex. An added point that lies exactly on another takes its place: the other is
+// then a vertex of no tetrahedron. near[k]: a point of `mesh` beside added[k], from where its place
+// is sought. Throws Failure(cancelled). Complexity: O(size of the mesh), with a small factor, and
+// O(1) expected for each added point.
 Extension add_points(const TetMesh& mesh, const std::vector<Vec3>& added,
                      const std::vector<Index>& near, Job& job);
 

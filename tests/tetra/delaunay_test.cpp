@@ -88,6 +88,31 @@ TEST(Delaunay, AddedPointsGiveTheSameAsAllAtOnce) {
   }
 }
 
+// Twice on one point of the mesh, and on each other.
+TEST(Delaunay, AnAddedPointTakesThePlaceOfAnother) {
+  const std::vector<Vec3> points = random_points(100, 4);
+  const TetMesh before = build(points);
+  const Vec3 fresh{0.5, 0.25, 0.75};
+  const Context context;
+  Job job(context);
+  job.stage("delaunay", 1);
+  const TetMesh mesh =
+      add_points(before, {points[7], fresh, points[7], fresh, points[9]}, {7, 3, 20, 3, 8}, job)
+          .mesh;
+  std::vector<Vec3> all = points;
+  all.push_back(fresh);
+  auto expected = sorted_corners(build(all));
+  for (auto& corners : expected) {
+    for (Index& v : corners) v = v == 7 ? 102 : v == 9 ? 104 : v == 100 ? 103 : v;
+    std::sort(corners.begin(), corners.end());
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(sorted_corners(mesh), expected);
+  for (Tet t = 0; t < mesh.size(); ++t)
+    for (Tet n : mesh.neighbours[t])
+      EXPECT_EQ(mesh.neighbours[n][static_cast<std::size_t>(mesh.facet_to(n, t))], t);
+}
+
 TEST(Delaunay, FlatPointsAreATypedFailure) {
   const std::vector<Vec3> flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}};
   try {
