@@ -25,12 +25,17 @@ class Company {
   static_assert(half >= Neighbours::rank && half >= Neighbours::patch);
 
   Company(const std::vector<Vec3>& points, Job& job)
-      : points_(points), tree_(points), nearest_(points.size()), reach_(points.size()) {
+      : points_(points),
+        tree_(points),
+        nearest_(points.size()),
+        nearest_distance_(points.size()),
+        reach_(points.size()) {
     parallel_chunks(points.size(), grain, job, [&](std::size_t begin, std::size_t end) {
       std::vector<NearestSample::Hit> hits;
       for (std::size_t p = begin; p < end; ++p) {
         tree_.nearest(points_[p], half + 1, hits);  // the first is p itself
         for (std::size_t j = 0; j < half; ++j) nearest_[p][j] = hits[j + 1].index;
+        nearest_distance_[p] = distance(points_[p], points_[hits[1].index]);
         reach_[p] = hits[Neighbours::rank].distance;
       }
     });
@@ -40,9 +45,7 @@ class Company {
   Vec3 point(Index p) const { return points_[p]; }
   double reach(Index p) const { return reach_[p]; }
   const std::array<Index, half>& nearest(Index p) const { return nearest_[p]; }
-  double nearest_distance(Index p) const {
-    return distance(points_[p], points_[nearest_[p].front()]);
-  }
+  double nearest_distance(Index p) const { return nearest_distance_[p]; }
   bool gone(Index) const { return false; }
   std::array<Index, Neighbours::count> of(Index p) const {
     std::array<Index, Neighbours::count> company;
@@ -60,7 +63,7 @@ class Company {
   const std::vector<Vec3>& points_;
   NearestSample tree_;
   std::vector<std::array<Index, half>> nearest_;
-  std::vector<double> reach_;
+  std::vector<double> nearest_distance_, reach_;
 };
 
 bool is_surely_no_stray(const Company& company, Index p) {
