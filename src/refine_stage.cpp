@@ -10,7 +10,6 @@
 #include "feature/mesh_edges.h"
 #include "feature/refine.h"
 #include "seed/lifted.h"
-#include "seed/parity_forest.h"
 #include "surface/extract.h"
 #include "swap/flat.h"
 #include "swap/swap.h"
@@ -37,29 +36,6 @@ constexpr double second_sag = 0.006;
 constexpr double sharp_turning = radians(30);
 // An edge that turns by more is a fold.
 constexpr double fold_turning = radians(150);
-
-struct Topology {
-  std::size_t components;
-  std::int64_t euler;
-  bool operator==(const Topology&) const = default;
-};
-
-// Of the boundary of the labels, which must be a 2-manifold.
-Topology topology_of(const Stage& stage, const Labels& labels) {
-  const std::vector<Triangle> triangles = boundary_triangles(stage.mesh, labels);
-  std::vector<std::uint8_t> used(stage.mesh.points.size(), 0);
-  ParityForest joined(used.size());
-  std::size_t vertices = 0, joins = 0;
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      vertices += !std::exchange(used[t[i]], std::uint8_t{1});
-      if (i == 0 || joined.find(t[0]).node == joined.find(t[i]).node) continue;
-      joined.join(t[0], t[i], false);
-      ++joins;
-    }
-  return {vertices - joins,
-          static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(triangles.size() / 2)};
-}
 
 // The stage with the added points among its own.
 Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& frame,
@@ -174,8 +150,7 @@ std::size_t count_gaps(const Mesh& surface, const std::vector<double>& spacing) 
   std::vector<Vec3> normal(x.size());
   for (const Triangle& t : surface.triangles)
     for (Index v : t) normal[v] = normal[v] + cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
-  for (Vec3& n : normal)
-    if (const double l = length(n); l > 0) n = (1 / l) * n;
+  for (Vec3& n : normal) n = normalized(n);
   std::size_t sides = 0;  // each of both of its facets
   for (const Triangle& t : surface.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -194,13 +169,13 @@ std::vector<RefinePoint> wanted_points(const RefineWish& wish, const Stage& stag
 // Returns the number of points added.
 std::size_t add_to_surface(std::vector<RefinePoint> added, const Samples& samples, Stage& stage,
                            Labels& labels, Report& report, Job& job) {
-  const Topology wanted = topology_of(stage, labels);
+  const Topology wanted = topology_of(stage.mesh, labels);
   for (int attempt = 0; attempt < most_attempts && !added.empty(); ++attempt) {
     Stage next = with_points(stage, labels, samples.frame, added, job);
     Report trial = report;
     SurfaceCut cut = cut_manifold(next, {}, trial, job);
     trial.cut_energy.push_back(cut.energy);
-    if (topology_of(next, cut.labels) == wanted) {
+    if (topology_of(next.mesh, cut.labels) == wanted) {
       forget_evidence(next);
       stage = std::move(next);
       labels = std::move(cut.labels);

@@ -14,6 +14,7 @@
 #include "feature/extend.h"
 #include "feature/insert.h"
 #include "feature/sense.h"
+#include "seed/parity_forest.h"
 #include "seed/transfer.h"
 #include "surface/extract.h"
 #include "swap/flat.h"
@@ -147,16 +148,6 @@ std::vector<std::uint8_t> still_settled(const std::vector<std::uint8_t>& before,
   return far;
 }
 
-// Of the boundary of the labels, which must be a 2-manifold.
-std::int64_t euler_characteristic(const TetMesh& mesh, const Labels& labels) {
-  const std::vector<Triangle> triangles = boundary_triangles(mesh, labels);
-  std::vector<std::uint8_t> used(mesh.points.size(), 0);
-  for (const Triangle& t : triangles)
-    for (Index v : t) used[v] = 1;
-  return std::count(used.begin(), used.end(), std::uint8_t{1}) -
-         static_cast<std::int64_t>(triangles.size()) / 2;
-}
-
 // All facets at point v lie along one of the planes that were carried on to it.
 bool follows(const FacetMesh& facets, Index v, const FeaturePoint& point) {
   constexpr double along = 0.97;  // cosine; planes that meet do so at 25 degrees and more
@@ -194,6 +185,22 @@ SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature
   return cut;
 }
 
+Topology topology_of(const TetMesh& mesh, const Labels& labels) {
+  const std::vector<Triangle> triangles = boundary_triangles(mesh, labels);
+  std::vector<std::uint8_t> used(mesh.points.size(), 0);
+  ParityForest joined(used.size());
+  std::size_t vertices = 0, joins = 0;
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertices += !std::exchange(used[t[i]], std::uint8_t{1});
+      if (i == 0 || joined.find(t[0]).node == joined.find(t[i]).node) continue;
+      joined.join(t[0], t[i], false);
+      ++joins;
+    }
+  return {vertices - joins,
+          static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(triangles.size() / 2)};
+}
+
 void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job) {
   Labels joined = labels;
   const std::size_t joins = join_stumps(stage.mesh, stage.model.spacing, joined, job);
@@ -201,8 +208,7 @@ void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job) {
   const std::uint64_t flips = make_manifold(stage, {}, joined, job);
   const std::uint64_t specks = remove_specks(stage.mesh, stage.model.spacing, joined);
   const auto lost = static_cast<std::int64_t>(2 * joins);
-  if (euler_characteristic(stage.mesh, joined) != euler_characteristic(stage.mesh, labels) - lost)
-    return;
+  if (topology_of(stage.mesh, joined).euler != topology_of(stage.mesh, labels).euler - lost) return;
   report.manifold_flips += flips;
   report.specks += specks;
   labels = std::move(joined);
@@ -264,8 +270,7 @@ bool refuse_features(const Stage& stage, const Labels& labels, const Stage& next
   const auto is_across = [](const FeaturePoint& p) { return p.gap > 0; };
   const auto begin = features.begin() + static_cast<std::ptrdiff_t>(known);
   if (std::none_of(begin, features.end(), is_across)) return false;
-  if (euler_characteristic(next.mesh, cut) == euler_characteristic(stage.mesh, labels))
-    return false;
+  if (topology_of(next.mesh, cut).euler == topology_of(stage.mesh, labels).euler) return false;
   const std::size_t before = refused.size();
   if (before == 0) {
     const FacetMesh facets(boundary_triangles(next.mesh, cut), next.mesh.points, 1);

@@ -1,6 +1,8 @@
 // What the steps of the pipeline hand to each other: tetrahedra, what is known of them, the energy.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,15 @@ SurfaceCut cut_manifold(const Stage& stage, const std::vector<double>& curvature
 
 // Frees the stars and the labels of the seeds, which nothing asks for once the surface is cut.
 void forget_evidence(Stage& stage);
+
+struct Topology {
+  std::size_t components;
+  std::int64_t euler;
+  bool operator==(const Topology&) const = default;
+};
+
+// Of the boundary of the labels, which must be a 2-manifold.
+Topology topology_of(const TetMesh& mesh, const Labels& labels);
 
 // Joins the stumps of parts whose sides are missing all round (cut/join.h) where that makes tubes
 // of them and nothing else. Every point of the stage must be a sample.

@@ -1,9 +1,10 @@
-// Corners of a triangle by their vertex, which must be one of it.
+// Corners of a triangle by their vertex, which must be one of it; its middle.
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
-#include "arris/types.h"
+#include "base/vec.h"
 
 namespace arris {
 
@@ -20,6 +21,11 @@ inline Index next_corner(const Triangle& t, Index v) noexcept {
 // The start of the side of t that comes to v.
 inline Index previous_corner(const Triangle& t, Index v) noexcept {
   return t[(corner_of(t, v) + 2) % 3];
+}
+
+// Mean of the corners.
+inline Vec3 middle_of(const std::vector<Vec3>& points, const Triangle& t) noexcept {
+  return 1.0 / 3 * (points[t[0]] + points[t[1]] + points[t[2]]);
 }
 
 }  // namespace arris

@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "base/parallel.h"
+#include "base/triangle.h"
 #include "base/vec.h"
 #include "feature/small_set.h"
 
@@ -89,9 +90,7 @@ class Side {
     // Away from the crease: from its middle to the face, straight across. The plane through the
     // crease halves the angle between the sides well enough.
     const Vec3 other = centroid(edge.faces[edge.faces[0] == first ? 1 : 0]);
-    Vec3 away = across(centroid(first)) - across(other);
-    const double l = length(away);
-    away_ = l > 0 ? 1 / l * away : Vec3{};
+    away_ = normalized(across(centroid(first)) - across(other));
     faces_.assign(1, first);
     seen_.clear();
     seen_.insert(first);
@@ -99,15 +98,10 @@ class Side {
 
   Vec3 across(Vec3 p) const {
     const Vec3 d = p - middle_;
-    const Vec3 r = d - dot(d, along_) * along_;
-    const double l = length(r);
-    return l > 0 ? 1 / l * r : Vec3{};
+    return normalized(d - dot(d, along_) * along_);
   }
   double depth(Vec3 p) const { return dot(p - middle_, away_); }
-  Vec3 centroid(Index f) const {
-    const Triangle& c = mesh_.triangles[f];
-    return 1.0 / 3 * (mesh_.vertices[c[0]] + mesh_.vertices[c[1]] + mesh_.vertices[c[2]]);
-  }
+  Vec3 centroid(Index f) const { return middle_of(mesh_.vertices, mesh_.triangles[f]); }
   double face_area(Index f) const {
     const Triangle& c = mesh_.triangles[f];
     const Vec3 a = mesh_.vertices[c[0]];

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "arris/types.h"
-#include "base/vec.h"
 #include "feature/small_set.h"
 #include "tetra/facet_stars.h"
 
@@ -34,11 +33,6 @@ struct FacetMesh {
   // of them, going round v. Ascending; uses `buffer`. O(most_round).
   std::span<const Index> star_near(Index v, Index facet, std::vector<Index>& buffer) const;
 };
-
-// Mean of the corners of a facet. Cheaper to compute than to keep.
-inline Vec3 middle_of(const std::vector<Vec3>& points, const Triangle& facet) noexcept {
-  return 1.0 / 3 * (points[facet[0]] + points[facet[1]] + points[facet[2]]);
-}
 
 // The angle of a facet at its corner v, in radians.
 double angle_at(const std::vector<Vec3>& points, const Triangle& facet, Index v);

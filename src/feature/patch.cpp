@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/angle.h"
+#include "base/triangle.h"
 
 namespace arris {
 namespace {

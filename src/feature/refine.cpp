@@ -13,6 +13,7 @@
 #include "base/angle.h"
 #include "base/distinct.h"
 #include "base/parallel.h"
+#include "base/triangle.h"
 #include "base/vec.h"
 #include "cloud/nearest.h"
 #include "feature/find_features.h"
@@ -139,8 +140,7 @@ class Refiner {
     for (Index f = 0; f < normals_.size(); ++f)
       for (Index v : mesh_.triangles[f])
         vertex_normals_[v] = vertex_normals_[v] + area(f) * normals_[f];
-    for (Vec3& n : vertex_normals_)
-      if (const double l = length(n); l > 0) n = (1 / l) * n;
+    for (Vec3& n : vertex_normals_) n = normalized(n);
     for (Index e = 0; e < is_feature_.size(); ++e)
       if (is_feature_[e])
         for (Index v : edges_.edges[e].ends) vertex_normals_[v] = Vec3{};
@@ -233,10 +233,7 @@ class Refiner {
     return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
   }
 
-  Vec3 centroid(Index f) const {
-    const auto [a, b, c] = corners(f);
-    return 1.0 / 3 * (a + b + c);
-  }
+  Vec3 centroid(Index f) const { return middle_of(mesh_.vertices, mesh_.triangles[f]); }
 
   double area(Index f) const {
     const auto [a, b, c] = corners(f);
