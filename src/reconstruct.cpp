@@ -14,6 +14,7 @@
 #include "cut/surface_cut.h"
 #include "describe.h"
 #include "feature/spikes.h"
+#include "feature_stage.h"
 #include "forecast.h"
 #include "noise_stage.h"
 #include "options.h"
@@ -125,10 +126,6 @@ Labels iterate_cuts(const Stage& stage, int cycles, double share, Report& report
   return labels;
 }
 
-bool has_inside(const Labels& labels) {
-  return std::find(labels.begin(), labels.end(), std::uint8_t{1}) != labels.end();
-}
-
 // Features that no sample marks (docs/method.md): points are added where the sensed surfaces meet,
 // and the surface is cut anew round them, until there is nothing to add. The rounds between the
 // first and the last surface go without swaps.
@@ -137,28 +134,7 @@ void sharpen(const Samples& samples, const Options& options, int rounds, const S
   std::vector<FeaturePoint> features;
   for (int round = 1; round <= rounds; ++round) {
     job.stage("features " + std::to_string(round), shares.features / rounds);
-    const std::size_t known = features.size();
-    const std::uint64_t flips = report.manifold_flips;
-    std::vector<FeaturePoint> refused;
-    Stage next;
-    SurfaceCut cut;
-    do {
-      features.resize(known);
-      report.manifold_flips = flips;
-      next = {};
-      next = add_features(stage, labels, samples, refused, features, job);
-      if (next.mesh.points.empty()) break;
-      cut = cut_manifold(next, {}, report, job);
-      forget_evidence(next);
-    } while (refuse_features(stage, labels, next, cut.labels, features, known, refused));
-    if (next.mesh.points.empty()) break;
-    if (!has_inside(cut.labels)) {  // a handful of points: the features were none
-      features.resize(known);
-      break;
-    }
-    stage = std::move(next);
-    report.cut_energy.push_back(cut.energy);
-    labels = std::move(cut.labels);
+    if (!add_features(samples, stage, labels, features, report, job)) break;
   }
   report.feature_points = features.size();
   job.stage("swap again", shares.swap);

@@ -9,6 +9,8 @@
 #include "pipeline/clouds.h"
 #include "support/creases.h"
 #include "support/measure.h"
+#include "truth/csg.h"
+#include "truth/models.h"
 
 namespace arris {
 namespace {
@@ -255,6 +257,18 @@ TEST(Sharp, TheTetrahedraFillTheMesh) {
     sum += std::abs(dot(x(1) - x(0), cross(x(2) - x(0), x(3) - x(0)))) / 6;
   }
   EXPECT_NEAR(sum, volume(r.mesh), 1e-9);
+}
+
+// A ball that looks out of a box by little, samples at random: where its rim nears an edge of the
+// box a round of features bridges the notch between, unless its points there are taken back.
+TEST(Sharp, NoHandleIsAdded) {
+  const Mesh solid = to_unit_diagonal(random_csg(1040).mesh);
+  const PointCloud cloud =
+      make_cloud(solid, {.sampling = {.mode = Mode::uniform, .samples = 2347}}).points;
+  const Reconstruction bevelled = run(cloud, unsharpened()), r = run(cloud);
+  EXPECT_EQ(bevelled.report.certificate.euler, 2);
+  EXPECT_EQ(r.report.certificate.euler, 2);
+  EXPECT_GT(r.report.feature_points, 400u);
 }
 
 TEST(Sharp, ThePaperAddsNone) {
