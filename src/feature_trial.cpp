@@ -12,10 +12,11 @@
 namespace arris {
 namespace {
 
-// Times that points at handles are refused. The second takes all of a region; one that shows up
-// later beside it needs two more.
-constexpr int most_attempts = 4;
-// Points nearer than this to the end of a far join are refused, in units of spacing.
+// Times that points at handles are refused. All of a changed region would be too many: edges that
+// run into each other are one.
+constexpr int most_attempts = 3;
+// Points nearer than this to the end of a far join are refused, in units of spacing; each time
+// twice as far.
 constexpr double withdrawal = 2;
 
 // All facets at point v lie along one of the planes that were carried on to it.
@@ -79,14 +80,18 @@ std::vector<Vec3> far_joins(const FeatureTrial& trial, const std::vector<std::ui
   return ends;
 }
 
-// 1 at those marked that are near one of the places, if there are any.
-std::vector<std::uint8_t> only_near(const FeatureTrial& trial, const std::vector<Vec3>& places,
-                                    std::vector<std::uint8_t> marked) {
-  if (places.empty()) return marked;
+// Refuses the new points among those marked that are near one of the places. Returns whether there
+// were any.
+bool refuse_near(const FeatureTrial& trial, const std::vector<Vec3>& places,
+                 const std::vector<std::uint8_t>& marked, double radius, RefusedFeatures& refused) {
+  if (places.empty()) return false;
   const NearestSample nearest(places);
+  const std::size_t known = refused.at_handles.size();
   for (std::size_t v = trial.first(); v < marked.size(); ++v)
-    marked[v] = marked[v] && nearest(trial.points[v]).distance < withdrawal * trial.spacing[v];
-  return marked;
+    if (marked[v] && nearest(trial.points[v]).distance < radius * trial.spacing[v])
+      refused.at_handles.push_back(trial.points[v]);
+  std::sort(refused.at_handles.begin(), refused.at_handles.end(), lexicographic_less);
+  return refused.at_handles.size() > known;
 }
 
 // Returns whether it refused any.
@@ -94,16 +99,8 @@ bool refuse_at_handles(const FeatureTrial& trial, RefusedFeatures& refused) {
   if (refused.attempts == most_attempts) return false;
   const std::vector<std::uint8_t> at = at_new_handles(trial);
   if (at.empty()) return false;
-  const std::size_t known = refused.at_handles.size();
-  const auto refuse = [&](const std::vector<std::uint8_t>& marked) {
-    for (std::size_t v = trial.first(); v < marked.size(); ++v)
-      if (marked[v]) refused.at_handles.push_back(trial.points[v]);
-    return refused.at_handles.size() > known;
-  };
-  const bool any =
-      (refused.attempts++ == 0 && refuse(only_near(trial, far_joins(trial, at), at))) || refuse(at);
-  std::sort(refused.at_handles.begin(), refused.at_handles.end(), lexicographic_less);
-  return any;
+  const double radius = withdrawal * (1 << refused.attempts++);
+  return refuse_near(trial, far_joins(trial, at), at, radius, refused);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "feature/spikes.h"
 #include "feature_stage.h"
 #include "forecast.h"
+#include "handles_stage.h"
 #include "noise_stage.h"
 #include "options.h"
 #include "output.h"
@@ -237,8 +238,12 @@ Reconstruction run(const PointCloud& cloud, const Options& given, const Context&
     sharpen(samples, options, 1, not_foreseen, stage, labels, report, job);
     settle_again(noisy, Settling::patches, options, samples, stage, labels, report, job);
   }
-  if (options.sharpen)
+  if (options.background == 0) mend_handles(stage, labels, report, job);
+  if (options.sharpen) {
+    const Topology before = topology_of(stage.mesh, labels);
     sharpen(samples, options, feature_rounds, shares, stage, labels, report, job);
+    if (topology_of(stage.mesh, labels) != before) mend_handles(stage, labels, report, job);
+  }
   if (options.refine) {
     job.stage("refine", shares.refine);
     report.refine_points = refine_surface(samples, stage, labels, report, job);

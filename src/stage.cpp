@@ -49,6 +49,11 @@ Topology topology_of(const TetMesh& mesh, const Labels& labels) {
   return topology_of(boundary_triangles(mesh, labels), mesh.points.size());
 }
 
+void remanifold(const Stage& stage, Labels& labels, Report& report, Job& job) {
+  report.manifold_flips += make_manifold(stage, {}, labels, job);
+  report.specks += remove_specks(stage.mesh, stage.model.spacing, labels);
+}
+
 void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job) {
   Labels joined = labels;
   const std::size_t joins = join_stumps(stage.mesh, stage.model.spacing, joined, job);

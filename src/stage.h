@@ -42,6 +42,9 @@ void forget_evidence(Stage& stage);
 // Of the boundary of the labels, which must be a 2-manifold.
 Topology topology_of(const TetMesh& mesh, const Labels& labels);
 
+// Makes a manifold of changed labels, without specks.
+void remanifold(const Stage& stage, Labels& labels, Report& report, Job& job);
+
 // Joins the stumps of parts whose sides are missing all round (cut/join.h) where that makes tubes
 // of them and nothing else. Every point of the stage must be a sample.
 void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job);

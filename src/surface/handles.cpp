@@ -95,6 +95,10 @@ ChangedRegions changed_regions(const std::vector<Triangle>& before,
     if (touched[v]) euler[regions.of[v]] += 2 * (is[v] - was[v]);
   for (std::size_t f = 0; f < changed.size(); ++f)
     euler[regions.of[changed[f][0]]] += f < gone ? 1 : -1;
+  if (std::all_of(euler.begin(), euler.end(), [](std::int64_t e) { return e == 0; })) {
+    regions.handles.assign(count, 0);
+    return regions;
+  }
   const auto met_before = components_met(regions.of, count, before);
   const auto met_after = components_met(regions.of, count, after);
   for (Index r = 0; r < count; ++r)

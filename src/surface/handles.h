@@ -21,7 +21,8 @@ Topology topology_of(const std::vector<Triangle>& triangles, std::size_t points)
 // A region is a set of points joined by facets that only one of two surfaces has. Since vertices,
 // sides and facets are counted, the Euler characteristic changes by the sum of what it changes by
 // in each region; together with the components that meet the region that makes the handles added.
-// Two regions that join the same two components together add one, which neither is blamed for.
+// Two regions that join the same two components together add one, which neither is blamed for; nor
+// is one that gets a handle and a component at once where no other region changes.
 struct ChangedRegions {
   std::vector<Index> of;              // per point: its region, or no_index where nothing changed
   std::vector<std::int64_t> handles;  // per region: added, negative if removed
