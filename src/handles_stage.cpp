@@ -18,6 +18,10 @@ namespace {
 // surfaces of right topology of the 38 models, clean and noisy, the shortest loop has 7 sides where
 // density is graded ten to one, else 8; most of what noise makes has 3 to 5.
 constexpr int most_sides = 5;
+// And of the shortest that crosses it, through the tunnel if the one goes round the bar, or the
+// other way round. Of the handles of noise and wedge tips most have 14 at most; a ring of bars one
+// spacing wide has as many as it is long, and stays.
+constexpr int most_across = 14;
 // No side of it is longer, in units of spacing: that is a gap of the samples.
 constexpr double longest_side = 2;
 // Places along each side of the triangles of a disc; tetrahedra there are about a spacing wide.
@@ -108,8 +112,11 @@ bool mend_loops(Stage& stage, Plug how, Labels& labels, Report& report, Job& job
   const std::vector<Triangle> before = boundary_triangles(mesh, labels);
   const Topology topology = topology_of(before, mesh.points.size());
   if (topology.euler == 2 * static_cast<std::int64_t>(topology.components)) return false;
-  const auto loops = short_loops(FacetMesh(before, mesh.points, job.threads()), mesh.points,
-                                 stage.model.spacing, most_sides, longest_side);
+  const FacetMesh facets(before, mesh.points, job.threads());
+  auto loops = short_loops(facets, mesh.points, stage.model.spacing, most_sides, longest_side);
+  std::erase_if(loops, [&](const auto& loop) {
+    return sides_across(facets, loop, most_across) > most_across;
+  });
   if (loops.empty()) return false;
   stage.stars = Stars(mesh);
   Labels mended = labels;

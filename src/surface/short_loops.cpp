@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "base/distinct.h"
@@ -237,6 +238,35 @@ std::vector<std::vector<Index>> short_loops(const FacetMesh& mesh, const std::ve
     apart.push_back(std::move(loop.points));
   }
   return apart;
+}
+
+int sides_across(const FacetMesh& mesh, const std::vector<Index>& loop, int most) {
+  // The facet beside each side of the loop, and what its third corner is.
+  std::unordered_map<Index, int> far;  // from the left
+  std::vector<Index> queue;
+  std::unordered_set<Index> right;
+  const auto is_on = [&](Index v) { return std::find(loop.begin(), loop.end(), v) != loop.end(); };
+  const auto third = [&](Index v, Index w) {  // of the facet that walks from v to w
+    for (Index f : mesh.star(v))
+      if (next_corner(mesh.facets[f], v) == w) return previous_corner(mesh.facets[f], v);
+    return no_index;
+  };
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+    if (const Index l = third(v, w); !is_on(l) && far.try_emplace(l, 1).second) queue.push_back(l);
+    if (const Index r = third(w, v); !is_on(r)) right.insert(r);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Index v = queue[i];
+    const int here = far[v];
+    if (right.contains(v)) return here + 1;
+    if (here + 1 >= most) continue;
+    for (Index f : mesh.star(v))
+      if (const Index w = next_corner(mesh.facets[f], v);
+          !is_on(w) && far.try_emplace(w, here + 1).second)
+        queue.push_back(w);
+  }
+  return most + 1;
 }
 
 }  // namespace arris

@@ -20,4 +20,9 @@ std::vector<std::vector<Index>> short_loops(const FacetMesh& mesh, const std::ve
                                             const std::vector<double>& spacing, int most_sides,
                                             double longest);
 
+// Sides of the shortest loop that crosses this one once: one more than the shortest way along sides
+// from its left to its right that keeps off it, and one at either end. most + 1 if it has more than
+// that. O(points within most rings).
+int sides_across(const FacetMesh& mesh, const std::vector<Index>& loop, int most);
+
 }  // namespace arris

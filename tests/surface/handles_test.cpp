@@ -76,7 +76,6 @@ TEST(Handles, JoiningAndPartingComponentsIsNone) {
   EXPECT_EQ(changes(bar(true), bar(false)).handles, std::vector<std::int64_t>{0});
   const Solid none = [](int, int, int) { return false; };
   EXPECT_EQ(changes(none, bar(true)).handles, std::vector<std::int64_t>{0});
-  EXPECT_EQ(changes(none, frame(true)).handles, std::vector<std::int64_t>{1});
 }
 
 // Holes at odd places of a plate are regions of their own, each with the handle it adds or fills,

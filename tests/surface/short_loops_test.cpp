@@ -63,6 +63,19 @@ TEST(ShortLoops, GoRoundTheBarsOfAFrame) {
   EXPECT_TRUE(loops_of(frame, 5, 0.9).empty());  // all sides are longer
 }
 
+// Along the inside of the frame; a diagonal saves a side at a corner.
+TEST(ShortLoops, AreCrossedByLongOnes) {
+  const std::vector<Vec3> points = voxels.points();
+  const FacetMesh mesh(voxels.surface(frame), points, 1);
+  const std::vector<Index> loop = loops_of(frame, 5).at(0);
+  const int sides = sides_across(mesh, loop, 100);
+  EXPECT_GE(sides, 16);
+  EXPECT_LE(sides, 20);
+  EXPECT_EQ(sides_across(mesh, loop, sides), sides);
+  EXPECT_EQ(sides_across(mesh, loop, sides - 1), sides);
+  EXPECT_EQ(sides_across(mesh, loop, 5), 6);
+}
+
 // Four sides go round a bar as well, but they bound its end.
 TEST(ShortLoops, ThereIsNoneWithoutAHandle) {
   EXPECT_TRUE(loops_of([](int, int y, int z) { return y == 4 && z == 4; }, 5).empty());
