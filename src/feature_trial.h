@@ -31,9 +31,9 @@ struct RefusedFeatures {
 //
 // If the surface has another Euler characteristic than before, features across gaps are refused
 // that are off it or that it does not follow the planes at; all of them if there is none such, or
-// if some have been refused before. Then those where it got a handle: near sides that join what lay
-// far apart, and if there is none, or it did not help, all in the changed region. A round can
-// remove handles, and join or part components. O(points + triangles).
+// if some have been refused before. Then those where it got a handle, near sides that join what lay
+// far apart, each time twice as far from these; a handle that is left after a few times stands, for
+// mend_handles. A round can remove handles, and join or part components. O(points + triangles).
 bool refuse_features(const FeatureTrial& trial, RefusedFeatures& refused);
 
 }  // namespace arris

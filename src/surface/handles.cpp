@@ -29,7 +29,7 @@ std::vector<std::uint8_t> corners(const std::vector<Triangle>& triangles, std::s
   return used;
 }
 
-bool same_facet(const Triangle& s, const Triangle& t) {
+bool same_facet(const Triangle& s, const Triangle& t) {  // if t lacks s[0], no rotation is equal
   const std::size_t i = corner_of(t, s[0]);
   return s == Triangle{t[i], t[(i + 1) % 3], t[(i + 2) % 3]};
 }
