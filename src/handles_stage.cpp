@@ -106,18 +106,25 @@ void take_back(const TetMesh& mesh, const Labels& labels, const ChangedRegions& 
     if (handles[sets.find(mesh.vertices[t][0]).node] >= 0) mended[t] = labels[t];
 }
 
-// Mends the loops it finds, once; returns whether any was.
-bool mend_loops(Stage& stage, Plug how, Labels& labels, Report& report, Job& job) {
-  const TetMesh& mesh = stage.mesh;
-  const std::vector<Triangle> before = boundary_triangles(mesh, labels);
-  const Topology topology = topology_of(before, mesh.points.size());
-  if (topology.euler == 2 * static_cast<std::int64_t>(topology.components)) return false;
-  const FacetMesh facets(before, mesh.points, job.threads());
-  auto loops = short_loops(facets, mesh.points, stage.model.spacing, most_sides, longest_side);
+// Loops round the handles that are too small, on the surface of these triangles.
+std::vector<std::vector<Index>> small_loops(const Stage& stage,
+                                            const std::vector<Triangle>& triangles, Job& job) {
+  const std::vector<Vec3>& points = stage.mesh.points;
+  const Topology topology = topology_of(triangles, points.size());
+  if (topology.euler == 2 * static_cast<std::int64_t>(topology.components)) return {};
+  const FacetMesh facets(triangles, points, job.threads());
+  auto loops = short_loops(facets, points, stage.model.spacing, most_sides, longest_side);
   std::erase_if(loops, [&](const auto& loop) {
     return sides_across(facets, loop, most_across) > most_across;
   });
-  if (loops.empty()) return false;
+  return loops;
+}
+
+// Mends loops on the surface of the labels, which is `before`; returns whether any was.
+bool mend_loops(Stage& stage, const std::vector<std::vector<Index>>& loops,
+                const std::vector<Triangle>& before, Plug how, Labels& labels, Report& report,
+                Job& job) {
+  const TetMesh& mesh = stage.mesh;
   stage.stars = Stars(mesh);
   Labels mended = labels;
   for (const std::vector<Index>& loop : loops)
@@ -137,8 +144,12 @@ bool mend_loops(Stage& stage, Plug how, Labels& labels, Report& report, Job& job
 
 void mend_handles(Stage& stage, Labels& labels, Report& report, Job& job) {
   for (const Plug how : {Plug::disc, Plug::between, Plug::round})
-    for (int round = 0; round < most_rounds; ++round)
-      if (!mend_loops(stage, how, labels, report, job)) break;
+    for (int round = 0; round < most_rounds; ++round) {
+      const std::vector<Triangle> before = boundary_triangles(stage.mesh, labels);
+      const auto loops = small_loops(stage, before, job);
+      if (loops.empty()) return;
+      if (!mend_loops(stage, loops, before, how, labels, report, job)) break;
+    }
 }
 
 }  // namespace arris

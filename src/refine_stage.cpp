@@ -65,10 +65,7 @@ Stage with_points(const Stage& stage, const Labels& labels, const LocalFrame& fr
 }
 
 std::vector<std::uint8_t> on_surface(const Stage& stage, const Labels& labels) {
-  std::vector<std::uint8_t> on(stage.mesh.points.size(), 0);
-  for (const Triangle& t : boundary_triangles(stage.mesh, labels))
-    for (Index v : t) on[v] = 1;
-  return on;
+  return corners_of(boundary_triangles(stage.mesh, labels), stage.mesh.points.size());
 }
 
 // Takes back the added points near vertices that the new surface leaves out.

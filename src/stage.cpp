@@ -58,12 +58,11 @@ void join_parts(const Stage& stage, Labels& labels, Report& report, Job& job) {
   Labels joined = labels;
   const std::size_t joins = join_stumps(stage.mesh, stage.model.spacing, joined, job);
   if (joins == 0) return;
-  const std::uint64_t flips = make_manifold(stage, {}, joined, job);
-  const std::uint64_t specks = remove_specks(stage.mesh, stage.model.spacing, joined);
+  Report trial = report;
+  remanifold(stage, joined, trial, job);
   const auto lost = static_cast<std::int64_t>(2 * joins);
   if (topology_of(stage.mesh, joined).euler != topology_of(stage.mesh, labels).euler - lost) return;
-  report.manifold_flips += flips;
-  report.specks += specks;
+  report = std::move(trial);
   labels = std::move(joined);
 }
 

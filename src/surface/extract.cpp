@@ -36,6 +36,13 @@ std::vector<Triangle> boundary_triangles(const TetMesh& mesh, const Labels& labe
   return triangles;
 }
 
+std::vector<std::uint8_t> corners_of(const std::vector<Triangle>& triangles, std::size_t points) {
+  std::vector<std::uint8_t> used(points, 0);
+  for (const Triangle& t : triangles)
+    for (Index v : t) used[v] = 1;
+  return used;
+}
+
 ExtractedSurface extract_surface(const TetMesh& mesh, const Labels& labels) {
   ExtractedSurface surface{{}, boundary_triangles(mesh, labels)};
   surface.point = compact(mesh.points.size(), surface.triangles);

@@ -1,6 +1,8 @@
 // From labels to the mesh: the facets between inside and outside, and the solid they enclose.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "arris/types.h"
@@ -11,6 +13,10 @@ namespace arris {
 // The facets between inside and outside, oriented outwards, as indices of TetMesh::points.
 // O(tetrahedra).
 std::vector<Triangle> boundary_triangles(const TetMesh& mesh, const Labels& labels);
+
+// 1 at the points that are corners of the triangles; there are `points` of them. O(points +
+// triangles).
+std::vector<std::uint8_t> corners_of(const std::vector<Triangle>& triangles, std::size_t points);
 
 // Triangles oriented outwards over the points of the TetMesh that they use. Vertices keep the order
 // of the points; `point` says which each is. O(tetrahedra).

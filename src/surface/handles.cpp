@@ -7,6 +7,7 @@
 #include "base/distinct.h"
 #include "base/triangle.h"
 #include "seed/parity_forest.h"
+#include "surface/extract.h"
 #include "tetra/facet_stars.h"
 
 namespace arris {
@@ -20,13 +21,6 @@ ParityForest joined_by(const std::vector<Triangle>& triangles, std::size_t point
     sets.join(t[0], t[2], false);
   }
   return sets;
-}
-
-std::vector<std::uint8_t> corners(const std::vector<Triangle>& triangles, std::size_t points) {
-  std::vector<std::uint8_t> used(points, 0);
-  for (const Triangle& t : triangles)
-    for (Index v : t) used[v] = 1;
-  return used;
 }
 
 bool same_facet(const Triangle& s, const Triangle& t) {  // if t lacks s[0], no rotation is equal
@@ -64,7 +58,7 @@ std::vector<std::int64_t> components_met(const std::vector<Index>& region, std::
 
 Topology topology_of(const std::vector<Triangle>& triangles, std::size_t points) {
   ParityForest sets = joined_by(triangles, points);
-  const std::vector<std::uint8_t> used = corners(triangles, points);
+  const std::vector<std::uint8_t> used = corners_of(triangles, points);
   Topology topology{0, -static_cast<std::int64_t>(triangles.size() / 2)};
   for (Index v = 0; v < points; ++v) {
     topology.euler += used[v];
@@ -80,7 +74,7 @@ ChangedRegions changed_regions(const std::vector<Triangle>& before,
   const std::size_t gone = changed.size();
   append_missing(after, before, points, changed);
   ParityForest sets = joined_by(changed, points);
-  const std::vector<std::uint8_t> touched = corners(changed, points);
+  const std::vector<std::uint8_t> touched = corners_of(changed, points);
   ChangedRegions regions{std::vector<Index>(points, no_index), {}};
   Index count = 0;
   for (Index v = 0; v < points; ++v)
@@ -90,7 +84,7 @@ ChangedRegions changed_regions(const std::vector<Triangle>& before,
 
   // Twice the change of V - F / 2: each facet has half of three sides.
   std::vector<std::int64_t> euler(count, 0);
-  const std::vector<std::uint8_t> was = corners(before, points), is = corners(after, points);
+  const std::vector<std::uint8_t> was = corners_of(before, points), is = corners_of(after, points);
   for (std::size_t v = 0; v < points; ++v)
     if (touched[v]) euler[regions.of[v]] += 2 * (is[v] - was[v]);
   for (std::size_t f = 0; f < changed.size(); ++f)
